@@ -1,0 +1,52 @@
+# The project on its own: finds VTK, builds the module, wraps it for Python, adds tests and install rules.
+include(CTest)
+include(GNUInstallDirs)
+
+if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo or MinSizeRel" FORCE)
+endif ()
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+option(BUILD_SHARED_LIBS "Build a shared library" ON)
+option(POINTSURFACE_WRAP_PYTHON "Build the Python package pointsurface" ON)
+
+find_package(VTK 9.1 REQUIRED
+  COMPONENTS CommonCore CommonDataModel CommonExecutionModel RenderingCore RenderingOpenGL2 RenderingUI FiltersPoints
+  OPTIONAL_COMPONENTS Python WrappingPythonCore FiltersCore FiltersGeneral FiltersGeometry FiltersSources IOImage
+    IOXML ImagingCore ImagingHybrid InteractionStyle RenderingFreeType TestingCore TestingRendering)
+
+vtk_module_scan(
+  MODULE_FILES "${CMAKE_CURRENT_SOURCE_DIR}/vtk.module"
+  REQUEST_MODULES PointSurface::PointSurface
+  PROVIDES_MODULES modules
+  ENABLE_TESTS "${BUILD_TESTING}")
+
+# The module's folder is the top folder: its second visit gets a binary folder of its own.
+function (pointsurface_build)
+  set(ExternalData_BINARY_ROOT "${CMAKE_BINARY_DIR}/ExternalData")
+  set(ExternalData_OBJECT_STORES "${CMAKE_BINARY_DIR}/ExternalData/Objects")
+  set(test_output "${CMAKE_BINARY_DIR}/Testing/Temporary")
+  file(MAKE_DIRECTORY "${test_output}")
+  set(POINTSURFACE_BINARY_DIR "${CMAKE_BINARY_DIR}")
+  set(CMAKE_BINARY_DIR "${CMAKE_BINARY_DIR}/module")
+  set(POINTSURFACE_IN_MODULE_BUILD ON)
+  vtk_module_build(
+    MODULES ${modules}
+    PACKAGE PointSurface
+    VERSION "${PointSurface_VERSION}"
+    SOVERSION "${PointSurface_VERSION_MAJOR}"
+    INSTALL_EXPORT PointSurface
+    CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/PointSurface"
+    HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/pointsurface"
+    TEST_DATA_TARGET PointSurfaceData
+    TEST_OUTPUT_DIRECTORY "${test_output}"
+    ENABLE_WRAPPING "${POINTSURFACE_WRAP_PYTHON}")
+  if (BUILD_TESTING)
+    ExternalData_Add_Target(PointSurfaceData)
+  endif ()
+endfunction ()
+pointsurface_build()
+
+if (POINTSURFACE_WRAP_PYTHON)
+  add_subdirectory(Python)
+endif ()
