@@ -21,12 +21,12 @@ vtk_module_scan(
   PROVIDES_MODULES modules
   ENABLE_TESTS "${BUILD_TESTING}")
 
+set(POINTSURFACE_TEST_OUTPUT "${CMAKE_BINARY_DIR}/Testing/Temporary")
+
 # The module's folder is the top folder: its second visit gets a binary folder of its own.
 function (pointsurface_build)
   set(ExternalData_BINARY_ROOT "${CMAKE_BINARY_DIR}/ExternalData")
   set(ExternalData_OBJECT_STORES "${CMAKE_BINARY_DIR}/ExternalData/Objects")
-  set(test_output "${CMAKE_BINARY_DIR}/Testing/Temporary")
-  file(MAKE_DIRECTORY "${test_output}")
   set(POINTSURFACE_BINARY_DIR "${CMAKE_BINARY_DIR}")
   set(CMAKE_BINARY_DIR "${CMAKE_BINARY_DIR}/module")
   set(POINTSURFACE_IN_MODULE_BUILD ON)
@@ -39,7 +39,7 @@ function (pointsurface_build)
     CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/PointSurface"
     HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/pointsurface"
     TEST_DATA_TARGET PointSurfaceData
-    TEST_OUTPUT_DIRECTORY "${test_output}"
+    TEST_OUTPUT_DIRECTORY "${POINTSURFACE_TEST_OUTPUT}"
     ENABLE_WRAPPING "${POINTSURFACE_WRAP_PYTHON}")
   if (BUILD_TESTING)
     ExternalData_Add_Target(PointSurfaceData)
@@ -48,5 +48,17 @@ endfunction ()
 pointsurface_build()
 
 if (POINTSURFACE_WRAP_PYTHON)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter Development)
   add_subdirectory(Python)
+endif ()
+
+if (BUILD_TESTING)
+  file(MAKE_DIRECTORY "${POINTSURFACE_TEST_OUTPUT}")
+  set(shared_data "../shared/data")
+  cmake_path(ABSOLUTE_PATH shared_data BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
+  configure_file(CMake/PointSurfaceTestEnvironment.cmake.in TestEnvironment.cmake @ONLY)
+  set_property(DIRECTORY PROPERTY TEST_INCLUDE_FILES "${CMAKE_CURRENT_BINARY_DIR}/TestEnvironment.cmake")
+  if (POINTSURFACE_WRAP_PYTHON)
+    add_subdirectory(Testing/Python)
+  endif ()
 endif ()
