@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What differs between the versions of VTK that we build with (9.1 to 9.7). No version check stands anywhere else.
+// What differs between the versions of VTK that we build with (9.1 to 9.7). No version check stands
+// anywhere else.
 #ifndef vtkPointSurfaceCompat_h
 #define vtkPointSurfaceCompat_h
 
@@ -15,9 +16,18 @@
 #include "vtk_glew.h"
 #endif
 
-// Before 9.4 VTK chooses its OpenGL window when it is built (Debian: GLX); from then on when it runs.
+// Before 9.4 VTK chooses its OpenGL window when it is built (Debian: GLX); from then on when it
+// runs.
 #if !VTK_POINT_SURFACE_VERSION_AT_LEAST(9, 4)
 #define VTK_POINT_SURFACE_NEEDS_EGL_WINDOW
+#endif
+
+// The vertex attribute that carries scalars to be mapped by texture
+// (InterpolateScalarsBeforeMapping).
+#if VTK_POINT_SURFACE_VERSION_AT_LEAST(9, 3)
+#define VTK_POINT_SURFACE_COLOR_TCOORD "colorTCoord"
+#else
+#define VTK_POINT_SURFACE_COLOR_TCOORD "tcoord"
 #endif
 
 #ifndef VTK_FUTURE_CONST

@@ -1,21 +1,756 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSurfaceMapper.h"
 
-#include "vtkImageData.h"
+#include "vtkDrawablePoints.h"
+#include "vtkPointProjection.h"
+#include "vtkPointSurfaceCompat.h"
+#include "vtkPointSurfaceView.h"
+#include "vtkSurfaceBufferShading.h"
+#include "vtkSurfaceTarget.h"
 
-vtkPointSurfaceMapper::vtkPointSurfaceMapper() = default;
+#include "vtkFloatArray.h"
+#include "vtkHardwareSelector.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLActor.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLRenderTimer.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLTexture.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkShader.h"
+#include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
+#include "vtkSurfaceBufferVS.h"
+#include "vtkTimeStamp.h"
+#include "vtkTransform.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+#include <vector>
+
+namespace
+{
+/// Light, eyes and tiles of one frame each have a view; this many are kept at a time.
+constexpr size_t MaximumNumberOfSurfaces = 4;
+
+enum Stage
+{
+  Project,
+  Reconstruct,
+  Shade,
+  NumberOfStages
+};
+}
+
+class vtkPointSurfaceMapper::vtkInternals
+{
+public:
+  struct SurfaceBuffer
+  {
+    vtkPointSurfaceView View;
+    vtkSurfaceTarget Target;
+    bool Valid = false;
+    unsigned long LastUse = 0;
+  };
+
+  vtkDrawablePoints Points;
+  vtkMTimeType PointsInputTime = 0;   // of the input that Points was built from
+  vtkPolyData* PointsInput = nullptr; // only compared, never followed
+  vtkDrawablePoints::RadiusSource PointsRadiusSource;
+
+  vtkSmartPointer<vtkUnsignedCharArray> PointColors; // made from colours of cells
+
+  vtkPointProjection Projection;
+  std::vector<std::unique_ptr<SurfaceBuffer>> Surfaces;
+  SurfaceBuffer* Current = nullptr;
+  unsigned long UseCount = 0;
+  std::vector<vtkSurfaceTarget::Layer> ShadedLayers; // that the shading program was made for
+  vtkTimeStamp ShadedLayersTime;
+  int ViewportOrigin[2] = { 0, 0 };
+  vtkOpenGLRenderWindow* Window = nullptr; // of the last frame; cleared when it releases us
+  vtkOpenGLRenderTimer Timers[NumberOfStages];
+
+  bool IsUpToDate(vtkPolyData* input, const vtkDrawablePoints::RadiusSource& source) const
+  {
+    return this->PointsInput == input && this->PointsInputTime == input->GetMTime() &&
+      this->PointsRadiusSource.Array == source.Array &&
+      this->PointsRadiusSource.Radius == source.Radius;
+  }
+
+  SurfaceBuffer* Find(const vtkPointSurfaceView& view)
+  {
+    for (auto& surface : this->Surfaces)
+    {
+      if (surface->Valid && surface->View == view)
+      {
+        return surface.get();
+      }
+    }
+    return nullptr;
+  }
+
+  SurfaceBuffer* GetLeastRecentlyUsed()
+  {
+    if (this->Surfaces.size() < MaximumNumberOfSurfaces)
+    {
+      this->Surfaces.emplace_back(new SurfaceBuffer);
+      return this->Surfaces.back().get();
+    }
+    return std::min_element(this->Surfaces.begin(), this->Surfaces.end(),
+      [](const std::unique_ptr<SurfaceBuffer>& a, const std::unique_ptr<SurfaceBuffer>& b)
+      { return a->LastUse < b->LastUse; })
+      ->get();
+  }
+
+  double GetMilliseconds(Stage stage)
+  {
+    vtkOpenGLRenderTimer& timer = this->Timers[stage];
+    if (!this->Window || !timer.Stopped())
+    {
+      return 0.0;
+    }
+    this->Window->MakeCurrent();
+    glFinish();
+    while (!timer.Ready())
+    {
+      std::this_thread::yield();
+    }
+    return timer.GetElapsedNanoseconds() * 1e-6;
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkPointSurfaceMapper::vtkPointSurfaceMapper()
+  : Internals(new vtkInternals)
+{
+}
 
 vtkPointSurfaceMapper::~vtkPointSurfaceMapper()
 {
   this->SetRadiusArray(nullptr);
 }
 
-bool vtkPointSurfaceMapper::ReadSurfaceBuffer(vtkImageData*)
+void vtkPointSurfaceMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  return false;
+  // VTK makes the right context current, and calls this method again from within; see
+  // vtkOpenGLResourceFreeCallback.
+  this->Superclass::ReleaseGraphicsResources(window);
+  for (auto& surface : this->Internals->Surfaces)
+  {
+    surface->Target.ReleaseGraphicsResources(window);
+  }
+  this->Internals->Surfaces.clear();
+  this->Internals->Current = nullptr;
+  this->Internals->Projection.ReleaseGraphicsResources(window);
+  for (auto& timer : this->Internals->Timers)
+  {
+    timer.ReleaseGraphicsResources();
+  }
+  this->Internals->Window = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSurfaceMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::RenderPiece(renderer, actor);
+  if (this->CurrentInput && this->CurrentInput->GetNumberOfPoints() == 0)
+  {
+    this->UpdateDrawablePoints(); // to say, once, that there is nothing to draw
+  }
+}
+
+void vtkPointSurfaceMapper::UpdateCameraShiftScale(vtkRenderer* renderer, vtkActor* actor)
+{
+  // The first virtual function after the window is registered. When a mapper moves from one window
+  // to another it releases in the old one's context, and windows without PopContext leave that
+  // context current.
+  renderer->GetRenderWindow()->MakeCurrent();
+  this->UpdateDrawablePoints();
+  this->CurrentInput = this->Internals->Points.GetCloud();
+  this->Superclass::UpdateCameraShiftScale(renderer, actor);
+}
+
+void vtkPointSurfaceMapper::UpdateDrawablePoints()
+{
+  vtkPolyData* input = this->GetInput();
+  vtkDrawablePoints::RadiusSource source;
+  source.Array = this->RadiusArray ? this->RadiusArray : "";
+  source.Radius = this->Radius;
+  if (this->Internals->IsUpToDate(input, source))
+  {
+    return;
+  }
+  for (const std::string& remark : this->Internals->Points.Build(input, source))
+  {
+    vtkWarningMacro(<< remark);
+  }
+  this->Internals->PointsInput = input;
+  this->Internals->PointsInputTime = input->GetMTime();
+  this->Internals->PointsRadiusSource = source;
+}
+
+void vtkPointSurfaceMapper::ComputeBounds()
+{
+  vtkMath::UninitializeBounds(this->Bounds);
+  if (!this->GetInput() || !this->GetInput()->GetPoints())
+  {
+    return;
+  }
+  // of all points, in cells or not; one component at a time, what is not finite left out
+  vtkDataArray* points = this->GetInput()->GetPoints()->GetData();
+  for (int k = 0; k < 3 && points->GetNumberOfTuples() > 0; ++k)
+  {
+    double range[2];
+    points->GetFiniteRange(range, k);
+    if (range[0] <= range[1])
+    {
+      std::copy_n(range, 2, this->Bounds + 2 * k);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
+{
+  // As vtkOpenGLPolyDataMapper does it, less all that is about cells, plus radii.
+  this->MapScalars(1.0);
+  if (this->ColorTextureMap)
+  {
+    if (!this->InternalColorTexture)
+    {
+      this->InternalColorTexture = vtkOpenGLTexture::New();
+      this->InternalColorTexture->RepeatOff();
+    }
+    this->InternalColorTexture->SetInputData(this->ColorTextureMap);
+  }
+  this->HaveCellScalars = false;
+  this->HaveCellNormals = false;
+
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkOpenGLVertexBufferObjectCache* cache = window->GetVBOCache();
+  const vtkDrawablePoints& points = this->Internals->Points;
+  vtkPolyData* cloud = points.GetCloud();
+  for (const auto& attribute : this->ExtraAttributes)
+  {
+    this->VBOs->CacheDataArray(attribute.first.c_str(),
+      cloud->GetPointData()->GetArray(attribute.second.DataArrayName.c_str()), cache, VTK_FLOAT);
+  }
+  this->VBOs->CacheDataArray("vertexMC", cloud->GetPoints()->GetData(), cache, VTK_FLOAT);
+  if (vtkOpenGLVertexBufferObject* positions = this->VBOs->GetVBO("vertexMC"))
+  {
+    positions->SetCoordShiftAndScaleMethod(
+      static_cast<vtkOpenGLVertexBufferObject::ShiftScaleMethod>(this->ShiftScaleMethod));
+    positions->SetProp3D(actor);
+    positions->SetCamera(renderer->GetActiveCamera());
+  }
+  this->VBOs->CacheDataArray("normalMC", cloud->GetPointData()->GetNormals(), cache, VTK_FLOAT);
+  this->VBOs->CacheDataArray("radiusMC", points.GetRadii(), cache, VTK_FLOAT);
+  this->VBOs->CacheDataArray("scalarColor", this->GetPointColors(), cache, VTK_UNSIGNED_CHAR);
+  this->VBOs->CacheDataArray("tcoord", cloud->GetPointData()->GetTCoords(), cache, VTK_FLOAT);
+  if (this->ColorCoordinates)
+  {
+    this->VBOs->CacheDataArray(
+      VTK_POINT_SURFACE_COLOR_TCOORD, this->ColorCoordinates, cache, VTK_FLOAT);
+  }
+  this->VBOs->BuildAllVBOs(renderer);
+
+  vtkOpenGLVertexBufferObject* positions = this->VBOs->GetVBO("vertexMC");
+  if (positions && positions->GetCoordShiftAndScaleEnabled())
+  {
+    const std::vector<double>& shift = positions->GetShift();
+    const std::vector<double>& scale = positions->GetScale();
+    this->VBOInverseTransform->Identity();
+    this->VBOInverseTransform->Translate(shift[0], shift[1], shift[2]);
+    this->VBOInverseTransform->Scale(1.0 / scale[0], 1.0 / scale[1], 1.0 / scale[2]);
+    this->VBOInverseTransform->GetTranspose(this->VBOShiftScale);
+  }
+  this->Internals->Projection.UploadIds(points.GetDrawnIds());
+  this->VBOBuildTime.Modified();
+}
+
+vtkDataArray* vtkPointSurfaceMapper::GetPointColors()
+{
+  vtkUnsignedCharArray* colors = this->Colors;
+  int ofCells = 0;
+  vtkPolyData* input = this->GetInput();
+  vtkAbstractMapper::GetAbstractScalars(
+    input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, ofCells);
+  if (!colors || !ofCells)
+  {
+    return colors;
+  }
+  // A point has the colour of the last cell that uses it.
+  vtkNew<vtkUnsignedCharArray> ofPoints;
+  ofPoints->SetNumberOfComponents(colors->GetNumberOfComponents());
+  ofPoints->SetNumberOfTuples(input->GetNumberOfPoints());
+  ofPoints->Fill(255);
+  const vtkIdType count = std::min(input->GetNumberOfCells(), colors->GetNumberOfTuples());
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < count; ++cell)
+  {
+    input->GetCellPoints(cell, ids);
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      ofPoints->SetTuple(ids->GetId(i), cell, colors);
+    }
+  }
+  this->Internals->PointColors = ofPoints;
+  return ofPoints;
+}
+
+void vtkPointSurfaceMapper::UpdateMaximumPointCellIds(vtkRenderer* renderer, vtkActor*)
+{
+  const vtkIdType last = this->CurrentInput->GetNumberOfPoints() - 1;
+  renderer->GetSelector()->UpdateMaximumPointId(last);
+  renderer->GetSelector()->UpdateMaximumCellId(last);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSurfaceMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->DrawingVertices = false;
+  this->DrawingSelection = false;
+  this->LastFramePointsDrawn = 0;
+  this->LastFrameLevels = 0;
+  this->LastFramePasses = 0;
+  this->LastFrameReconstructions = 0;
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  this->Internals->Window = window;
+  for (auto& timer : this->Internals->Timers)
+  {
+    timer.Reset();
+  }
+
+  const vtkPointSurfaceView view = this->GetView(renderer, actor);
+  std::copy(view.Rectangle.begin(), view.Rectangle.end(), this->LastFrameRectangle);
+  if (this->Internals->Points.GetNumberOfDrawnPoints() == 0 || view.Rectangle[2] <= 0 ||
+    view.Rectangle[3] <= 0)
+  {
+    return;
+  }
+  this->FindOrMakeSurfaceBuffer(renderer, view);
+  this->Internals->Timers[Shade].Start();
+  this->ShadeSurfaceBuffer(renderer, actor);
+  this->Internals->Timers[Shade].Stop();
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+/// The largest factor by which a matrix (row vectors) stretches an axis.
+double GetLargestStretch(vtkMatrix4x4* matrix)
+{
+  double largest = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double row[3] = { matrix->GetElement(axis, 0), matrix->GetElement(axis, 1),
+      matrix->GetElement(axis, 2) };
+    largest = std::max(largest, vtkMath::Norm(row));
+  }
+  return largest;
+}
+
+/// Sets the view's rectangle and range of depth from the cloud's bounds in model coordinates.
+void SetExtent(vtkPointSurfaceView& view, vtkMatrix4x4* modelToEye, const double bounds[6])
+{
+  view.Rectangle = { 0, 0, view.Size[0], view.Size[1] };
+  double nearest = VTK_DOUBLE_MAX;
+  double farthest = -VTK_DOUBLE_MAX;
+  double corners[8][3];
+  for (int c = 0; c < 8; ++c)
+  {
+    const double model[4] = { bounds[c & 1], bounds[2 + ((c >> 1) & 1)], bounds[4 + (c >> 2)],
+      1.0 };
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[c][k] = 0.0;
+      for (int i = 0; i < 4; ++i)
+      {
+        corners[c][k] += model[i] * modelToEye->GetElement(i, k);
+      }
+    }
+    nearest = std::min(nearest, -corners[c][2]);
+    farthest = std::max(farthest, -corners[c][2]);
+  }
+  // the linear depth is a float of this range: keep the ends apart
+  const double margin = 1e-4 * std::max(farthest - nearest, view.LargestRadius) + 1e-30;
+  view.DepthRange = { nearest - margin, farthest + margin };
+
+  const auto& m = view.VCDC;
+  const double nearestW = m[15] - m[11] * nearest;
+  if (nearestW <= 1e-6 * (m[15] - m[11] * farthest))
+  {
+    return; // some of the cloud is beside or behind the eye: the whole viewport
+  }
+  double lower[2] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
+  double upper[2] = { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  for (const auto& corner : corners)
+  {
+    const double w = m[15] + m[11] * corner[2];
+    for (int k = 0; k < 2; ++k)
+    {
+      const double clip =
+        m[k] * corner[0] + m[4 + k] * corner[1] + m[8 + k] * corner[2] + m[12 + k];
+      lower[k] = std::min(lower[k], clip / w);
+      upper[k] = std::max(upper[k], clip / w);
+    }
+  }
+  for (int k = 0; k < 2; ++k)
+  {
+    // in pixels, with the largest disc around
+    const double radius = std::abs(view.LargestRadius * m[5 * k] / nearestW);
+    const double size = view.Size[k];
+    const double begin = std::floor(0.5 * size * (lower[k] - radius + 1.0)) - 1.0;
+    const double end = std::ceil(0.5 * size * (upper[k] + radius + 1.0)) + 1.0;
+    view.Rectangle[k] = static_cast<int>(std::min(std::max(begin, 0.0), size));
+    view.Rectangle[2 + k] =
+      static_cast<int>(std::min(std::max(end, 0.0), size)) - view.Rectangle[k];
+  }
+}
+
+int GetCulling(vtkProperty* property)
+{
+  return property->GetBackfaceCulling() ? vtkPointSurfaceView::BackfaceCulling
+    : property->GetFrontfaceCulling()   ? vtkPointSurfaceView::FrontfaceCulling
+                                        : vtkPointSurfaceView::NoCulling;
+}
+}
+
+vtkPointSurfaceView vtkPointSurfaceMapper::GetView(vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkPointSurfaceView view;
+  auto* camera = static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera());
+  vtkMatrix4x4 *wcvc, *vcdc, *wcdc;
+  vtkMatrix3x3* normals;
+  camera->GetKeyMatrices(renderer, wcvc, normals, vcdc, wcdc);
+  vtkNew<vtkMatrix4x4> modelToEye;
+  modelToEye->DeepCopy(wcvc);
+  vtkNew<vtkMatrix3x3> normal;
+  normal->DeepCopy(normals);
+  if (!actor->GetIsIdentity())
+  {
+    vtkMatrix4x4* mcwc;
+    vtkMatrix3x3* actorNormals;
+    static_cast<vtkOpenGLActor*>(actor)->GetKeyMatrices(mcwc, actorNormals);
+    vtkMatrix4x4::Multiply4x4(mcwc, wcvc, modelToEye);
+    vtkMatrix3x3::Multiply3x3(actorNormals, normals, normal);
+  }
+  vtkNew<vtkMatrix4x4> uploadedToEye;
+  uploadedToEye->DeepCopy(modelToEye);
+  vtkOpenGLVertexBufferObject* positions = this->VBOs->GetVBO("vertexMC");
+  const bool shifted = positions && positions->GetCoordShiftAndScaleEnabled();
+  if (shifted)
+  {
+    vtkMatrix4x4::Multiply4x4(this->VBOShiftScale, modelToEye, uploadedToEye);
+  }
+  std::copy_n(uploadedToEye->GetData(), 16, view.MCVC.begin());
+  std::copy_n(vcdc->GetData(), 16, view.VCDC.begin());
+  std::copy_n(normal->GetData(), 9, view.Normal.begin());
+
+  // the viewport in force, whoever set it: the renderer, a pass, a baker of shadows
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  int viewport[4];
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  std::copy_n(viewport, 2, this->Internals->ViewportOrigin);
+  view.Size = { viewport[2], viewport[3] };
+
+  view.Cull = GetCulling(actor->GetProperty());
+  view.NumberOfClippingPlanes = std::min(6, this->GetNumberOfClippingPlanes());
+  for (int i = 0; i < view.NumberOfClippingPlanes; ++i)
+  {
+    double* plane = view.ClippingPlanes[i].data();
+    this->GetClippingPlaneInDataCoords(actor->GetMatrix(), i, plane);
+    for (int k = 0; shifted && k < 3; ++k)
+    {
+      plane[3] += plane[k] * positions->GetShift()[k];
+      plane[k] /= positions->GetScale()[k];
+    }
+  }
+
+  // not VBOs->GetMTime(), which new values in an array do not change
+  for (const char* name :
+    { "vertexMC", "normalMC", "radiusMC", "scalarColor", "tcoord", VTK_POINT_SURFACE_COLOR_TCOORD })
+  {
+    vtkOpenGLVertexBufferObject* buffer = this->VBOs->GetVBO(name);
+    view.DataTime =
+      std::max(view.DataTime, buffer ? buffer->GetUploadTime().GetMTime() : vtkMTimeType(0));
+  }
+  view.MapperTime = this->GetMTime();
+
+  view.RadiusScale = this->RadiusScale * GetLargestStretch(modelToEye);
+  view.LargestRadius = view.RadiusScale * this->Internals->Points.GetLargestRadius();
+  SetExtent(view, modelToEye, this->Internals->Points.GetBounds());
+  return view;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSurfaceMapper::FindOrMakeSurfaceBuffer(
+  vtkRenderer* renderer, const vtkPointSurfaceView& view)
+{
+  vtkInternals& internals = *this->Internals;
+  const bool needsIds = this->RecordPointIds || renderer->GetSelector();
+  vtkInternals::SurfaceBuffer* surface = internals.Find(view);
+  const bool holds = surface && (!needsIds || surface->Target.Has(vtkSurfaceTarget::Id));
+  if (!surface)
+  {
+    surface = internals.GetLeastRecentlyUsed();
+  }
+  internals.Current = surface;
+  surface->LastUse = ++internals.UseCount;
+  if (holds)
+  {
+    return;
+  }
+
+  std::vector<vtkSurfaceTarget::Layer> layers = { vtkSurfaceTarget::Surface };
+  if (needsIds)
+  {
+    layers.push_back(vtkSurfaceTarget::Id);
+  }
+  if (vtkPointProjection::HasColors(this->VBOs))
+  {
+    layers.push_back(vtkSurfaceTarget::Color);
+  }
+
+  vtkOpenGLRenderWindow* window = internals.Window;
+  vtkOpenGLState* state = window->GetState();
+  surface->Target.Allocate(window, view.Size[0], view.Size[1], layers);
+  surface->View = view;
+  state->PushFramebufferBindings();
+  {
+    vtkOpenGLState::ScopedglViewport viewport(state);
+    vtkOpenGLState::ScopedglScissor scissor(state);
+    vtkOpenGLState::ScopedglDepthMask depthMask(state);
+    vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
+    vtkOpenGLState::ScopedglColorMask colorMask(state);
+    vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+    vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+    vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+    vtkOpenGLState::ScopedglEnableDisable multisample(state, GL_MULTISAMPLE);
+    vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
+    state->vtkglDisable(GL_BLEND);
+    state->vtkglDisable(GL_DEPTH_TEST);
+    state->vtkglDisable(GL_MULTISAMPLE);
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    this->MakeSurfaceBuffer(window, view, surface->Target);
+    internals.Timers[Reconstruct].Stop();
+  }
+  state->PopFramebufferBindings();
+  surface->Valid = true;
+  this->LastFrameReconstructions = 1;
+}
+
+void vtkPointSurfaceMapper::ProjectPoints(vtkOpenGLRenderWindow* window,
+  const vtkPointSurfaceView& view, const vtkSurfaceTarget& surface, vtkSurfaceTarget& projected)
+{
+  vtkInternals& internals = *this->Internals;
+  internals.Timers[Project].Start();
+  std::vector<vtkSurfaceTarget::Layer> layers = { vtkSurfaceTarget::Shape,
+    vtkSurfaceTarget::Interval };
+  for (vtkSurfaceTarget::Layer layer : { vtkSurfaceTarget::Id, vtkSurfaceTarget::Color })
+  {
+    if (surface.Has(layer))
+    {
+      layers.push_back(layer);
+    }
+  }
+  projected.Allocate(window, view.Size[0], view.Size[1], layers, true);
+
+  vtkPointProjection::Points points;
+  points.Buffers = this->VBOs;
+  points.NumberOfPoints = this->CurrentInput->GetNumberOfPoints();
+  points.UniformRadius = internals.Points.GetRadii() ? 0.0 : internals.Points.GetLargestRadius();
+  this->LastFramePointsDrawn = internals.Projection.Draw(window, points, view, projected);
+  internals.Timers[Project].Stop();
+  internals.Timers[Reconstruct].Start();
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSurfaceMapper::ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkInternals& internals = *this->Internals;
+  vtkSurfaceTarget& target = internals.Current->Target;
+  if (internals.ShadedLayers != target.GetLayers())
+  {
+    internals.ShadedLayers = target.GetLayers();
+    internals.ShadedLayersTime.Modified();
+  }
+
+  vtkOpenGLState* state = internals.Window->GetState();
+  vtkOpenGLHelper& helper = this->Primitives[PrimitiveTris]; // what VTK lights
+  helper.IBO->IndexCount = 3; // or VTK forgets when it has set the attributes
+  target.Activate();
+  this->UpdateShaders(helper, renderer, actor);
+  if (helper.Program)
+  {
+    vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
+    state->vtkglDisable(GL_CULL_FACE); // points were culled in projection
+    helper.VAO->Bind();
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  }
+  target.Deactivate();
+}
+
+bool vtkPointSurfaceMapper::GetNeedToRebuildShaders(
+  vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
+{
+  return this->Superclass::GetNeedToRebuildShaders(helper, renderer, actor) ||
+    helper.ShaderSourceTime < this->Internals->ShadedLayersTime;
+}
+
+void vtkPointSurfaceMapper::GetShaderTemplate(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::GetShaderTemplate(shaders, renderer, actor);
+  shaders[vtkShader::Vertex]->SetSource(vtkSurfaceBufferVS);
+  shaders[vtkShader::Geometry]->SetSource("");
+}
+
+void vtkPointSurfaceMapper::ReplaceShaderValues(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkShader* fragment = shaders[vtkShader::Fragment];
+  std::string text = fragment->GetSource();
+  vtkSurfaceBufferShading::Prepare(text, this->Internals->ShadedLayers);
+  fragment->SetSource(text);
+  this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
+  text = fragment->GetSource();
+  vtkSurfaceBufferShading::Finish(text);
+  fragment->SetSource(text);
+}
+
+void vtkPointSurfaceMapper::SetMapperShaderParameters(
+  vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetMapperShaderParameters(helper, renderer, actor);
+  const vtkPointSurfaceView& view = this->Internals->Current->View;
+  vtkShaderProgram* program = helper.Program;
+  this->Internals->Current->Target.SetSamplers(program, "ps");
+  program->SetUniform2i("psOrigin", this->Internals->ViewportOrigin);
+  float rectangle[4];
+  for (int k = 0; k < 2; ++k)
+  {
+    rectangle[k] = 2.0f * view.Rectangle[k] / view.Size[k] - 1.0f;
+    rectangle[2 + k] = 2.0f * (view.Rectangle[k] + view.Rectangle[2 + k]) / view.Size[k] - 1.0f;
+  }
+  program->SetUniform4f("psRectangle", rectangle);
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->DeepCopy(view.VCDC.data());
+  program->SetUniformMatrix("psVCDC", matrix);
+  if (program->IsUniformUsed("psVCMC"))
+  {
+    matrix->DeepCopy(view.MCVC.data());
+    matrix->Invert();
+    program->SetUniformMatrix("psVCMC", matrix);
+  }
+}
+
+//------------------------------------------------------------------------------
+const vtkPointSurfaceView* vtkPointSurfaceMapper::GetLastView() const
+{
+  return this->Internals->Current ? &this->Internals->Current->View : nullptr;
+}
+
+vtkOpenGLRenderWindow* vtkPointSurfaceMapper::GetLastWindow() const
+{
+  return this->Internals->Window;
+}
+
+bool vtkPointSurfaceMapper::ReadSurfaceBuffer(vtkImageData* buffer)
+{
+  vtkInternals& internals = *this->Internals;
+  if (!internals.Current || !internals.Window)
+  {
+    vtkErrorMacro("There is no surface buffer to read: render a frame with this mapper first.");
+    return false;
+  }
+  internals.Window->MakeCurrent();
+  vtkSurfaceTarget& target = internals.Current->Target;
+  buffer->Initialize();
+  buffer->SetDimensions(target.GetWidth(), target.GetHeight(), 1);
+  AddLayer(buffer, internals.Window, target, vtkSurfaceTarget::Surface, "Normals", 0, 3);
+  AddLayer(buffer, internals.Window, target, vtkSurfaceTarget::Surface, "Depth", 3, 1);
+  if (target.Has(vtkSurfaceTarget::Color))
+  {
+    AddLayer(buffer, internals.Window, target, vtkSurfaceTarget::Color, "Colors", 0, 4);
+  }
+  if (target.Has(vtkSurfaceTarget::Id))
+  {
+    AddLayer(buffer, internals.Window, target, vtkSurfaceTarget::Id, "PointIds", 0, 1);
+  }
+  return true;
+}
+
+void vtkPointSurfaceMapper::AddLayer(vtkImageData* image, vtkOpenGLRenderWindow* window,
+  vtkSurfaceTarget& target, int layer, const char* name, int first, int components)
+{
+  if (layer == vtkSurfaceTarget::Id)
+  {
+    const std::vector<unsigned int> pixels = target.ReadIds(window);
+    vtkNew<vtkIntArray> ids;
+    ids->SetName(name);
+    ids->SetNumberOfValues(static_cast<vtkIdType>(pixels.size()));
+    std::transform(pixels.begin(), pixels.end(), ids->GetPointer(0),
+      [](unsigned int id) { return static_cast<int>(id) - 1; });
+    image->GetPointData()->AddArray(ids);
+    return;
+  }
+  const std::vector<float> pixels =
+    target.ReadFloats(window, static_cast<vtkSurfaceTarget::Layer>(layer));
+  vtkNew<vtkFloatArray> values;
+  values->SetName(name);
+  values->SetNumberOfComponents(components);
+  values->SetNumberOfTuples(static_cast<vtkIdType>(pixels.size() / 4));
+  float* value = values->GetPointer(0);
+  for (size_t pixel = 0; pixel < pixels.size(); pixel += 4)
+  {
+    value = std::copy_n(&pixels[pixel + first], components, value);
+  }
+  image->GetPointData()->AddArray(values);
+}
+
+//------------------------------------------------------------------------------
+double vtkPointSurfaceMapper::GetLastFrameProjectMilliseconds()
+{
+  return this->Internals->GetMilliseconds(Project);
+}
+
+double vtkPointSurfaceMapper::GetLastFrameReconstructMilliseconds()
+{
+  return this->Internals->GetMilliseconds(Reconstruct);
+}
+
+double vtkPointSurfaceMapper::GetLastFrameShadeMilliseconds()
+{
+  return this->Internals->GetMilliseconds(Shade);
 }
 
 void vtkPointSurfaceMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "RadiusArray: " << (this->RadiusArray ? this->RadiusArray : "(none)") << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "RadiusScale: " << this->RadiusScale << "\n";
+  os << indent << "RecordPointIds: " << this->RecordPointIds << "\n";
+  os << indent << "LastFramePointsDrawn: " << this->LastFramePointsDrawn << "\n";
+  os << indent << "LastFrameLevels: " << this->LastFrameLevels << "\n";
+  os << indent << "LastFramePasses: " << this->LastFramePasses << "\n";
+  os << indent << "LastFrameReconstructions: " << this->LastFrameReconstructions << "\n";
 }

@@ -10,14 +10,17 @@
  *
  * A mapper takes the place of vtkPolyDataMapper: lights, materials, lookup tables, depth against
  * other props come from VTK. The input is a vtkPolyData; its points are drawn, whether they are
- * in cells or not.
+ * in cells or not. Normals come from the point data, else they are estimated once
+ * (vtkPointNormals). vtkProperty's BackfaceCulling drops points whose normal faces away (as the
+ * papers do, for closed surfaces with outward normals); without it, VTK's default, all points are
+ * drawn, whichever way their normals point, and the surface is lit from both sides.
  *
  * Input that cannot be drawn as it is gets a warning that names the array, the value and the
  * remedy, and a frame all the same: points with a coordinate that is not finite are left out;
  * normals that are zero or not finite are taken as facing the viewer; radii that are not positive
- * and finite become the mean of the others.
+ * and finite become the mean of the others; radii larger than the cloud become its diagonal.
  *
- * @sa vtkPullPushMapper vtkPointSpacing vtkIsosurfacePoints
+ * @sa vtkPullPushMapper vtkPointSpacing vtkPointNormals vtkIsosurfacePoints
  */
 #ifndef vtkPointSurfaceMapper_h
 #define vtkPointSurfaceMapper_h
@@ -25,7 +28,12 @@
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPointSurfaceModule.h" // for export macro
 
+#include <memory> // for std::unique_ptr
+
 class vtkImageData;
+class vtkOpenGLRenderWindow;
+class vtkSurfaceTarget;
+struct vtkPointSurfaceView;
 
 class VTKPOINTSURFACE_EXPORT vtkPointSurfaceMapper : public vtkOpenGLPolyDataMapper
 {
@@ -57,7 +65,7 @@ public:
 
   ///@{
   /**
-   * Factor on all radii, wherever they come from. Over 0; default 1. Uploads nothing.
+   * Factor on all radii, wherever they come from: 1e-6 to 1e6; default 1. Uploads nothing.
    */
   vtkSetClampMacro(RadiusScale, double, 1e-6, 1e6);
   vtkGetMacro(RadiusScale, double);
@@ -65,44 +73,131 @@ public:
 
   ///@{
   /**
-   * What the last frame cost: the number of points sent to projection; the rectangle of the
-   * viewport that was worked on (x, y, width, height in pixels from the viewport's lower left
-   * corner); bytes of point data uploaded; how often a surface buffer was made (0 when the one of
-   * an earlier frame still held); and milliseconds per stage by OpenGL's timer. Asking for
-   * milliseconds waits for the frame to finish.
+   * What the last frame cost: points sent to projection; the rectangle of the viewport that was
+   * worked on (x, y, width, height in pixels from the viewport's lower left corner); levels of the
+   * image pyramid above the finest one, and passes over the screen; how often a surface buffer was
+   * made (0 when one of an earlier frame still held). In a frame that made none, points, levels
+   * and passes are 0.
    */
   vtkGetMacro(LastFramePointsDrawn, vtkIdType);
   vtkGetVector4Macro(LastFrameRectangle, int);
-  vtkGetMacro(LastFrameUploadedBytes, vtkIdType);
+  vtkGetMacro(LastFrameLevels, int);
+  vtkGetMacro(LastFramePasses, int);
   vtkGetMacro(LastFrameReconstructions, int);
+  ///@}
+
+  ///@{
+  /**
+   * Milliseconds that the last frame spent in a stage, by OpenGL's timer; 0 for a stage that did
+   * not run. Waits until the frame is finished.
+   */
+  double GetLastFrameProjectMilliseconds();
+  double GetLastFrameReconstructMilliseconds();
+  double GetLastFrameShadeMilliseconds();
   ///@}
 
   /**
    * Copies the surface buffer that the last frame was shaded from into `buffer`: an image with a
    * pixel for each pixel of the viewport, the origin at its lower left. Point arrays: "Normals"
-   * (float, 3 components, eye space, unit length, 0 where there is no surface), "Depth" (float,
-   * distance from the eye along the view direction in world units, 0 where there is no surface),
-   * "Colors" (float, 4 components, 0 to 1; only if the cloud has colours). Returns false, with an
-   * error, when nothing has been rendered.
+   * (float, 3 components, eye space, unit length, oriented as the points' normals, 0 where there is
+   * no surface), "Depth" (float,
+   * distance from the eye along the view direction in world units, 0 where there is no surface);
+   * "Colors" (float, 4 components, 0 to 1) if the cloud has colours; "PointIds" (int, -1 where
+   * there is no surface) if RecordPointIds is on. Returns false, with an error, when nothing has
+   * been rendered yet.
    */
-  virtual bool ReadSurfaceBuffer(vtkImageData* buffer);
+  bool ReadSurfaceBuffer(vtkImageData* buffer);
+
+  ///@{
+  /**
+   * Carry the id of a point in every pixel of the surface buffer, in every frame. Selection asks
+   * for ids by itself, so this is for ReadSurfaceBuffer alone. Default off.
+   */
+  vtkSetMacro(RecordPointIds, bool);
+  vtkGetMacro(RecordPointIds, bool);
+  vtkBooleanMacro(RecordPointIds, bool);
+  ///@}
+
+  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
   vtkPointSurfaceMapper();
   ~vtkPointSurfaceMapper() override;
 
+  /**
+   * Makes the surface buffer of `view` from the uploaded points: fills `surface`, whose layers are
+   * allocated, within the view's rectangle. OpenGL's state is as a step needs it: no blending, no
+   * depth test; the framebuffer is restored by the caller. Sets the levels and passes of the
+   * statistics.
+   */
+  virtual void MakeSurfaceBuffer(
+    vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& surface) = 0;
+
+  /**
+   * Draws each point to at most one pixel of `projected`, for subclasses to start from. The target
+   * gets the layers Shape and Interval, and Id and Color where `surface` has them.
+   */
+  void ProjectPoints(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
+    const vtkSurfaceTarget& surface, vtkSurfaceTarget& projected);
+
+  /**
+   * The view of the last frame's surface buffer, and the window; nullptr before the first frame.
+   */
+  const vtkPointSurfaceView* GetLastView() const;
+  vtkOpenGLRenderWindow* GetLastWindow() const;
+
+  /**
+   * Copies one layer of a target into `image` as a point array of `components` (the first or, for
+   * `first` over 0, later ones), an id layer as ids from -1.
+   */
+  static void AddLayer(vtkImageData* image, vtkOpenGLRenderWindow* window, vtkSurfaceTarget& target,
+    int layer, const char* name, int first, int components);
+
+  // What VTK calls while it renders; see vtkOpenGLPolyDataMapper.
+  void ComputeBounds() override;
+  void UpdateCameraShiftScale(vtkRenderer* renderer, vtkActor* actor) override;
+  void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
+  void BuildIBO(vtkRenderer*, vtkActor*, vtkPolyData*) override {}
+  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
+  void UpdateMaximumPointCellIds(vtkRenderer* renderer, vtkActor* actor) override;
+  void GetShaderTemplate(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderValues(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderEdges(std::map<vtkShader::Type, vtkShader*>, vtkRenderer*, vtkActor*) override
+  {
+  }
+  void SetMapperShaderParameters(
+    vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor) override;
+  bool GetNeedToRebuildShaders(
+    vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor) override;
+  bool HaveWideLines(vtkRenderer*, vtkActor*) override { return false; }
+  bool DrawingEdges(vtkRenderer*, vtkActor*) override { return false; }
+
   char* RadiusArray = nullptr;
   double Radius = 0.0;
   double RadiusScale = 1.0;
+  bool RecordPointIds = false;
 
   vtkIdType LastFramePointsDrawn = 0;
   int LastFrameRectangle[4] = { 0, 0, 0, 0 };
-  vtkIdType LastFrameUploadedBytes = 0;
+  int LastFrameLevels = 0;
+  int LastFramePasses = 0;
   int LastFrameReconstructions = 0;
 
 private:
   vtkPointSurfaceMapper(const vtkPointSurfaceMapper&) = delete;
   void operator=(const vtkPointSurfaceMapper&) = delete;
+
+  void UpdateDrawablePoints();
+  vtkDataArray* GetPointColors();
+  vtkPointSurfaceView GetView(vtkRenderer* renderer, vtkActor* actor);
+  void FindOrMakeSurfaceBuffer(vtkRenderer* renderer, const vtkPointSurfaceView& view);
+  void ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* actor);
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -1,4 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPullPushMapper
+ * @brief   draws a point cloud as a surface by pull-push interpolation of one-pixel projections
+ *
+ * Each point is projected to one pixel; a pyramid of coarser images is built from them (pull) and
+ * used to fill the pixels between points and to overwrite those that a surface in front occludes
+ * (push); elliptical box filters, the projections of the points' discs, limit how far a point
+ * reaches. After: R. Marroquim, M. Kraus, P. R. Cavalcanti, Efficient Point-Based Rendering Using
+ * Image Reconstruction, Symposium on Point-Based Graphics 2007. The cost is that of one pixel a
+ * point plus that of the viewport, whatever the radii are.
+ *
+ * With vtkProperty's BackfaceCulling on and every property of this class off, this is the algorithm
+ * as published.
+ *
+ * @sa vtkPointSurfaceMapper vtkPointSpacing
+ */
 #ifndef vtkPullPushMapper_h
 #define vtkPullPushMapper_h
 
@@ -10,13 +26,48 @@ public:
   static vtkPullPushMapper* New();
   vtkTypeMacro(vtkPullPushMapper, vtkPointSurfaceMapper);
 
+  ///@{
+  /**
+   * In the push phase too, average only pixels whose depth interval overlaps that of the frontmost
+   * one, as the pull phase does; the paper (section 3.3) averages all of them, which mixes two
+   * surfaces at their borders. Default on.
+   */
+  vtkSetMacro(DepthTestInPush, bool);
+  vtkGetMacro(DepthTestInPush, bool);
+  vtkBooleanMacro(DepthTestInPush, bool);
+  ///@}
+
+  /**
+   * Copies the one-pixel projections that the last surface buffer was made from into `buffer`: an
+   * image of the viewport's size, the origin at its lower left. Point arrays: "Normals" (float, 3
+   * components, eye space), "Radius" (float, eye units, 0 where no point fell), "Depth" (float,
+   * distance from the eye along the view direction in world units), "Displacement" (float, 2
+   * components, in pixels from the pixel's centre to the disc's), "Colors" (float, 4 components) if
+   * the cloud has colours, "PointIds" (int, -1 where no point fell) if RecordPointIds is on. Field
+   * data: "Projection" (16 doubles, the matrix from eye to clip coordinates by rows, for column
+   * vectors), "Levels" (int, levels of the pyramid above the finest one). Returns false, with an
+   * error, when nothing has been rendered yet.
+   */
+  bool ReadProjectedBuffer(vtkImageData* buffer);
+
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
 protected:
-  vtkPullPushMapper() = default;
-  ~vtkPullPushMapper() override = default;
+  vtkPullPushMapper();
+  ~vtkPullPushMapper() override;
+
+  void MakeSurfaceBuffer(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
+    vtkSurfaceTarget& surface) override;
+
+  bool DepthTestInPush = true;
 
 private:
   vtkPullPushMapper(const vtkPullPushMapper&) = delete;
   void operator=(const vtkPullPushMapper&) = delete;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

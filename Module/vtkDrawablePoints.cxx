@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDrawablePoints.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPointNormals.h"
+#include "vtkPointSpacing.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+bool IsFinite(const double* x)
+{
+  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+}
+
+/// True for a value that can be a radius.
+bool IsRadius(double r)
+{
+  return std::isfinite(r) && r > 0.0;
+}
+
+std::string Name(vtkDataArray* array)
+{
+  return array->GetName() ? array->GetName() : "(no name)";
+}
+
+/// The array of three float components that the shaders want; a copy only if it is not one yet.
+vtkSmartPointer<vtkFloatArray> AsFloats(vtkDataArray* array)
+{
+  vtkSmartPointer<vtkFloatArray> floats = vtkFloatArray::SafeDownCast(array);
+  if (!floats)
+  {
+    floats = vtkSmartPointer<vtkFloatArray>::New();
+    floats->DeepCopy(array);
+  }
+  return floats;
+}
+
+vtkSmartPointer<vtkFloatArray> CopyOf(vtkFloatArray* array)
+{
+  auto copy = vtkSmartPointer<vtkFloatArray>::New();
+  copy->DeepCopy(array);
+  return copy;
+}
+}
+
+std::vector<std::string> vtkDrawablePoints::Build(vtkPolyData* input, const RadiusSource& source)
+{
+  this->Remarks.clear();
+  this->Cloud = vtkSmartPointer<vtkPolyData>::New();
+  this->Cloud->GetPointData()->ShallowCopy(input->GetPointData());
+  this->SelectPoints(input);
+  if (this->NumberOfDrawnPoints > 0)
+  {
+    this->SelectNormals(input);
+    this->SelectRadii(input, source);
+  }
+  return this->Remarks;
+}
+
+//------------------------------------------------------------------------------
+void vtkDrawablePoints::SelectPoints(vtkPolyData* input)
+{
+  vtkPoints* points = input->GetPoints();
+  const vtkIdType count = points ? points->GetNumberOfPoints() : 0;
+  vtkUnsignedCharArray* ghosts = vtkUnsignedCharArray::SafeDownCast(
+    input->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+
+  this->DrawnIds.clear();
+  vtkMath::UninitializeBounds(this->Bounds);
+  double lower[3] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
+  double upper[3] = { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  std::vector<vtkIdType> faulty;
+  vtkIdType drawn = 0;
+  for (vtkIdType id = 0; id < count; ++id)
+  {
+    double x[3];
+    points->GetPoint(id, x);
+    const bool finite = IsFinite(x);
+    if (!finite)
+    {
+      faulty.push_back(id);
+    }
+    const bool hidden = ghosts && (ghosts->GetValue(id) & vtkDataSetAttributes::HIDDENPOINT);
+    if (!finite || hidden)
+    {
+      if (this->DrawnIds.empty())
+      {
+        // the first point to leave out: from here on a list is needed
+        this->DrawnIds.resize(drawn);
+        for (vtkIdType i = 0; i < drawn; ++i)
+        {
+          this->DrawnIds[i] = static_cast<unsigned int>(i);
+        }
+        this->DrawnIds.reserve(count);
+      }
+      continue;
+    }
+    if (drawn < id)
+    {
+      this->DrawnIds.push_back(static_cast<unsigned int>(id));
+    }
+    ++drawn;
+    for (int k = 0; k < 3; ++k)
+    {
+      lower[k] = std::min(lower[k], x[k]);
+      upper[k] = std::max(upper[k], x[k]);
+    }
+  }
+  this->NumberOfDrawnPoints = drawn;
+  if (drawn == 0)
+  {
+    this->Say(count == 0 ? "The input has no points: nothing is drawn."
+                         : "None of the input's points has finite coordinates: nothing is drawn.");
+    return;
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    this->Bounds[2 * k] = lower[k];
+    this->Bounds[2 * k + 1] = upper[k];
+  }
+  if (faulty.empty())
+  {
+    this->Cloud->SetPoints(points);
+    return;
+  }
+
+  // A coordinate that is not finite would spoil the shift and scale that VTK makes of the array.
+  vtkNew<vtkPoints> repaired;
+  repaired->DeepCopy(points);
+  for (vtkIdType id : faulty)
+  {
+    repaired->SetPoint(id, lower);
+  }
+  this->Cloud->SetPoints(repaired);
+  double x[3];
+  points->GetPoint(faulty.front(), x);
+  std::ostringstream line;
+  line << faulty.size() << " of " << count
+       << " points have coordinates that are not finite (the first is point " << faulty.front()
+       << ": " << x[0] << ", " << x[1] << ", " << x[2]
+       << "); they are not drawn. Remove them from the input to be rid of this warning.";
+  this->Say(line.str());
+}
+
+//------------------------------------------------------------------------------
+void vtkDrawablePoints::SelectNormals(vtkPolyData* input)
+{
+  vtkDataArray* given = input->GetPointData()->GetNormals();
+  if (given && given->GetNumberOfTuples() != input->GetNumberOfPoints())
+  {
+    std::ostringstream line;
+    line << "Array '" << Name(given) << "' has " << given->GetNumberOfTuples() << " normals for "
+         << input->GetNumberOfPoints()
+         << " points; normals are estimated instead. Give one normal for each point.";
+    this->Say(line.str());
+    given = nullptr;
+  }
+  if (!given)
+  {
+    vtkNew<vtkPointNormals> estimate;
+    estimate->SetInputData(this->Cloud);
+    estimate->Update();
+    given =
+      vtkPolyData::SafeDownCast(estimate->GetOutputDataObject(0))->GetPointData()->GetNormals();
+    this->Cloud->GetPointData()->SetNormals(given);
+    return;
+  }
+
+  vtkSmartPointer<vtkFloatArray> normals = AsFloats(given);
+  vtkIdType zero = 0;
+  vtkIdType faulty = 0;
+  vtkIdType first = -1;
+  vtkSmartPointer<vtkFloatArray> repaired;
+  for (vtkIdType id = 0; id < normals->GetNumberOfTuples(); ++id)
+  {
+    double n[3];
+    normals->GetTuple(id, n);
+    const bool finite = IsFinite(n);
+    if (finite && (n[0] != 0.0 || n[1] != 0.0 || n[2] != 0.0))
+    {
+      continue;
+    }
+    first = first < 0 ? id : first;
+    ++(finite ? zero : faulty);
+    if (!finite)
+    {
+      if (!repaired)
+      {
+        repaired = CopyOf(normals);
+      }
+      repaired->SetTuple3(id, 0.0, 0.0, 0.0);
+    }
+  }
+  if (first >= 0)
+  {
+    std::ostringstream line;
+    line << "Array '" << Name(given) << "' has " << zero << " normals that are zero and " << faulty
+         << " that are not finite (the first is of point " << first
+         << "); those points are drawn facing the viewer. vtkPointNormals estimates normals from "
+            "the points.";
+    this->Say(line.str());
+  }
+  this->Cloud->GetPointData()->SetNormals(repaired ? repaired : normals);
+}
+
+//------------------------------------------------------------------------------
+void vtkDrawablePoints::SelectRadii(vtkPolyData* input, const RadiusSource& source)
+{
+  this->Radii = nullptr;
+  const vtkIdType count = input->GetNumberOfPoints();
+  vtkPointData* pointData = input->GetPointData();
+  vtkDataArray* array = nullptr;
+  if (!source.Array.empty())
+  {
+    array = pointData->GetArray(source.Array.c_str());
+    if (!array)
+    {
+      this->Say("There is no point array '" + source.Array +
+        "' to take radii from; another source is used. Name an array of the input "
+        "(SetRadiusArray).");
+    }
+  }
+  if (!array && source.Radius > 0.0)
+  {
+    this->LargestRadius = source.Radius;
+    return;
+  }
+  if (!array)
+  {
+    array = pointData->GetArray("radius");
+  }
+  if (array && (array->GetNumberOfTuples() != count || array->GetNumberOfComponents() != 1))
+  {
+    std::ostringstream line;
+    line << "Array '" << Name(array) << "' has " << array->GetNumberOfTuples() << " values of "
+         << array->GetNumberOfComponents() << " components for " << count
+         << " points; radii are estimated instead. Give one value for each point.";
+    this->Say(line.str());
+    array = nullptr;
+  }
+  if (array)
+  {
+    this->RepairRadii(array);
+  }
+  if (!this->Radii)
+  {
+    this->EstimateRadii();
+  }
+}
+
+void vtkDrawablePoints::RepairRadii(vtkDataArray* array)
+{
+  // No radius needs to be larger than the cloud; a larger one would overflow in the shaders.
+  double diagonal = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double side = this->Bounds[2 * k + 1] - this->Bounds[2 * k];
+    diagonal += side * side;
+  }
+  diagonal = std::sqrt(diagonal);
+  const double limit = diagonal > 0.0 ? diagonal : VTK_FLOAT_MAX;
+
+  const vtkIdType count = array->GetNumberOfTuples();
+  double sum = 0.0;
+  vtkIdType good = 0;
+  vtkIdType huge = 0;
+  vtkIdType firstFaulty = -1;
+  vtkIdType firstHuge = -1;
+  this->LargestRadius = 0.0;
+  for (vtkIdType id = 0; id < count; ++id)
+  {
+    const double r = array->GetComponent(id, 0);
+    if (!IsRadius(r))
+    {
+      firstFaulty = firstFaulty < 0 ? id : firstFaulty;
+      continue;
+    }
+    if (r > limit)
+    {
+      firstHuge = firstHuge < 0 ? id : firstHuge;
+      ++huge;
+    }
+    ++good;
+    sum += std::min(r, limit);
+    this->LargestRadius = std::max(this->LargestRadius, std::min(r, limit));
+  }
+  const double mean = good > 0 ? sum / good : 0.0;
+  if (firstFaulty >= 0)
+  {
+    std::ostringstream line;
+    line << count - good << " of " << count << " radii in array '" << Name(array)
+         << "' are not positive and finite (the first is " << array->GetComponent(firstFaulty, 0)
+         << " of point " << firstFaulty << "); ";
+    if (good > 0)
+    {
+      line << "those points get the mean of the others, " << mean << ".";
+    }
+    else
+    {
+      line << "radii are estimated instead.";
+    }
+    line << " vtkPointSpacing makes radii from the points.";
+    this->Say(line.str());
+  }
+  if (firstHuge >= 0)
+  {
+    std::ostringstream line;
+    line << huge << " of " << count << " radii in array '" << Name(array)
+         << "' are larger than the whole cloud (the first is " << array->GetComponent(firstHuge, 0)
+         << " of point " << firstHuge << "); they are taken as its diagonal, " << limit
+         << ". Are radii and coordinates in the same units?";
+    this->Say(line.str());
+  }
+  if (good == 0)
+  {
+    return;
+  }
+  this->Radii = AsFloats(array);
+  if (firstFaulty >= 0 || firstHuge >= 0)
+  {
+    this->Radii = CopyOf(this->Radii);
+    for (vtkIdType id = 0; id < count; ++id)
+    {
+      const double r = array->GetComponent(id, 0);
+      this->Radii->SetValue(id, static_cast<float>(IsRadius(r) ? std::min(r, limit) : mean));
+    }
+  }
+}
+
+void vtkDrawablePoints::EstimateRadii()
+{
+  vtkNew<vtkPointSpacing> spacing;
+  spacing->SetInputData(this->Cloud);
+  spacing->Update();
+  vtkDataSet* output = vtkDataSet::SafeDownCast(spacing->GetOutputDataObject(0));
+  this->Radii = vtkFloatArray::SafeDownCast(output->GetPointData()->GetArray("radius"));
+  this->LargestRadius = this->Radii->GetRange()[1];
+}

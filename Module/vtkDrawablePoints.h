@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkDrawablePoints
+ * @brief   a cloud as the mappers upload it: every point with a position, a normal and a radius
+ *
+ * Takes the points of a vtkPolyData and what the user said of radii, and keeps the faults of the
+ * data away from the graphics card. Points and attributes keep their order and count, so that ids
+ * and colour arrays stay true; points that cannot be drawn are left out of the list of ids to draw.
+ * Not wrapped, not installed: it serves vtkPointSurfaceMapper.
+ */
+#ifndef vtkDrawablePoints_h
+#define vtkDrawablePoints_h
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkFloatArray;
+class vtkPoints;
+class vtkPolyData;
+
+class vtkDrawablePoints
+{
+public:
+  /**
+   * Where radii come from: the array named here, else `Radius` if over 0, else an array "radius",
+   * else vtkPointSpacing.
+   */
+  struct RadiusSource
+  {
+    std::string Array;
+    double Radius = 0.0;
+  };
+
+  /**
+   * Reads `input`. Returns what has to be said of the data, a line each; empty if there is nothing.
+   */
+  std::vector<std::string> Build(vtkPolyData* input, const RadiusSource& source);
+
+  /**
+   * The cloud: the input's point arrays, points that are all finite, "Normals" that are finite (a
+   * zero normal means: facing the viewer), and no cells.
+   */
+  vtkPolyData* GetCloud() const { return this->Cloud; }
+
+  /**
+   * A radius for each point; nullptr when all have the radius `GetLargestRadius()`.
+   */
+  vtkFloatArray* GetRadii() const { return this->Radii; }
+  double GetLargestRadius() const { return this->LargestRadius; }
+
+  /**
+   * Ids of the points to draw; empty when all `GetNumberOfDrawnPoints()` of them are drawn.
+   */
+  const std::vector<unsigned int>& GetDrawnIds() const { return this->DrawnIds; }
+  vtkIdType GetNumberOfDrawnPoints() const { return this->NumberOfDrawnPoints; }
+
+  /**
+   * Bounds of the drawn points.
+   */
+  const double* GetBounds() const { return this->Bounds; }
+
+private:
+  void SelectPoints(vtkPolyData* input);
+  void SelectNormals(vtkPolyData* input);
+  void SelectRadii(vtkPolyData* input, const RadiusSource& source);
+  void RepairRadii(vtkDataArray* radii);
+  void EstimateRadii();
+  void Say(const std::string& line) { this->Remarks.push_back(line); }
+
+  vtkSmartPointer<vtkPolyData> Cloud;
+  vtkSmartPointer<vtkFloatArray> Radii;
+  double LargestRadius = 0.0;
+  std::vector<unsigned int> DrawnIds;
+  vtkIdType NumberOfDrawnPoints = 0;
+  double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
+  std::vector<std::string> Remarks;
+};
+
+#endif

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointProjection.h"
+
+#include "vtkPointSurfaceCompat.h"
+#include "vtkPointSurfaceView.h"
+#include "vtkSurfaceTarget.h"
+
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPointProjectionFS.h"
+#include "vtkPointProjectionVS.h"
+#include "vtkShaderProgram.h"
+
+namespace
+{
+/// As the shader's colorSource: the first of the attributes that the points have.
+int GetColorSource(vtkOpenGLVertexBufferObjectGroup* buffers)
+{
+  const char* const sources[] = { "scalarColor", "colorTCoord", "tcoord" };
+  for (int i = 0; i < 3; ++i)
+  {
+    if (buffers->GetNumberOfComponents(sources[i]) > 0)
+    {
+      return i + 1;
+    }
+  }
+  return 0;
+}
+}
+
+bool vtkPointProjection::HasColors(vtkOpenGLVertexBufferObjectGroup* buffers)
+{
+  return GetColorSource(buffers) > 0;
+}
+
+vtkPointProjection::vtkPointProjection() = default;
+vtkPointProjection::~vtkPointProjection() = default;
+
+void vtkPointProjection::UploadIds(const std::vector<unsigned int>& ids)
+{
+  this->Ids->IndexCount = ids.size();
+  if (!ids.empty())
+  {
+    this->Ids->Upload(ids, vtkOpenGLIndexBufferObject::ElementArrayBuffer);
+  }
+}
+
+void vtkPointProjection::ReleaseGraphicsResources(vtkWindow*)
+{
+  this->Ids->ReleaseGraphicsResources();
+  this->VertexArray->ReleaseGraphicsResources();
+  this->BoundProgram = nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointProjection::Draw(vtkOpenGLRenderWindow* window, const Points& points,
+  const vtkPointSurfaceView& view, vtkSurfaceTarget& target)
+{
+  vtkOpenGLState* state = window->GetState();
+  target.BindForWriting(window);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(view.Rectangle[0], view.Rectangle[1], view.Rectangle[2], view.Rectangle[3]);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglDepthFunc(GL_LESS); // of points at the same place the first one stays
+  target.Clear();
+
+  const std::string fragmentShader = "//VTK::System::Dec\n" +
+    vtkSurfaceTarget::GetOutputDeclarations(target.GetLayers()) + vtkPointProjectionFS;
+  vtkShaderProgram* program =
+    window->GetShaderCache()->ReadyShaderProgram(vtkPointProjectionVS, fragmentShader.c_str(), "");
+  if (!program)
+  {
+    return 0;
+  }
+  this->BindAttributes(program, points.Buffers);
+  this->SetUniforms(program, points, view);
+
+  state->vtkglPointSize(1.0f);
+  const auto listed = static_cast<vtkIdType>(this->Ids->IndexCount);
+  if (listed > 0)
+  {
+    this->Ids->Bind();
+    glDrawElements(GL_POINTS, static_cast<GLsizei>(listed), GL_UNSIGNED_INT, nullptr);
+    this->Ids->Release();
+  }
+  else
+  {
+    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(points.NumberOfPoints));
+  }
+  this->VertexArray->Release();
+  state->vtkglDisable(GL_DEPTH_TEST);
+  return listed > 0 ? listed : points.NumberOfPoints;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointProjection::BindAttributes(
+  vtkShaderProgram* program, vtkOpenGLVertexBufferObjectGroup* buffers)
+{
+  this->VertexArray->Bind();
+  if (program == this->BoundProgram && buffers->GetMTime() < this->BindTime &&
+    program->GetMTime() < this->BindTime)
+  {
+    return;
+  }
+  this->VertexArray->ReleaseGraphicsResources();
+  this->VertexArray->Bind();
+  buffers->AddAllAttributesToVAO(program, this->VertexArray);
+  this->BoundProgram = program;
+  this->BindTime.Modified();
+}
+
+void vtkPointProjection::SetUniforms(
+  vtkShaderProgram* program, const Points& points, const vtkPointSurfaceView& view)
+{
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->DeepCopy(view.MCVC.data());
+  program->SetUniformMatrix("MCVCMatrix", matrix);
+  matrix->DeepCopy(view.VCDC.data());
+  program->SetUniformMatrix("VCDCMatrix", matrix);
+  vtkNew<vtkMatrix3x3> normal;
+  normal->DeepCopy(view.Normal.data());
+  program->SetUniformMatrix("normalMatrix", normal);
+
+  program->SetUniformf("uniformRadius", static_cast<float>(points.UniformRadius));
+  program->SetUniformf("radiusScale", static_cast<float>(view.RadiusScale));
+  program->SetUniformi("colorSource", GetColorSource(points.Buffers));
+  program->SetUniformi("cull", view.Cull);
+  const float depthRange[2] = { static_cast<float>(view.DepthRange[0]),
+    static_cast<float>(view.DepthRange[1]) };
+  program->SetUniform2f("depthRange", depthRange);
+
+  float planes[6][4];
+  for (int i = 0; i < 24; ++i)
+  {
+    planes[i / 4][i % 4] = static_cast<float>(view.ClippingPlanes[i / 4][i % 4]);
+  }
+  program->SetUniformi("numberOfClippingPlanes", view.NumberOfClippingPlanes);
+  program->SetUniform4fv("clippingPlanes", 6, planes);
+}

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointProjection
+ * @brief   the step from uploaded points to an image with at most one pixel a point
+ *
+ * Each point that survives culling, clipping and the depth test writes its normal, radius and
+ * depth interval (and id and colour, where the target has these layers) to the one pixel that it
+ * falls on (Marroquim, Kraus, Cavalcanti 2007, section 3.1).
+ */
+#ifndef vtkPointProjection_h
+#define vtkPointProjection_h
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkTimeStamp.h"
+#include "vtkType.h"
+
+#include <vector>
+
+class vtkOpenGLIndexBufferObject;
+class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexArrayObject;
+class vtkOpenGLVertexBufferObjectGroup;
+class vtkShaderProgram;
+class vtkSurfaceTarget;
+class vtkWindow;
+struct vtkPointSurfaceView;
+
+class vtkPointProjection
+{
+public:
+  /**
+   * What is drawn: vertex buffers by the names vertexMC, normalMC, radiusMC, scalarColor, tcoord
+   * and colorTCoord.
+   */
+  struct Points
+  {
+    vtkOpenGLVertexBufferObjectGroup* Buffers = nullptr;
+    vtkIdType NumberOfPoints = 0;
+    double UniformRadius = 0.0; ///< 0: radiusMC has a radius for each point
+  };
+
+  /**
+   * Whether the layer Color has something to carry: colours, scalars to be mapped by texture, or
+   * texture coordinates, the first of these that the points have.
+   */
+  static bool HasColors(vtkOpenGLVertexBufferObjectGroup* buffers);
+
+  vtkPointProjection();
+  ~vtkPointProjection();
+
+  /**
+   * Ids of the points to draw; an empty list stands for all of them.
+   */
+  void UploadIds(const std::vector<unsigned int>& ids);
+
+  /**
+   * Draws the points into `target`, which has the layers Shape and Interval at least, and a depth
+   * buffer. Returns the number of points sent.
+   */
+  vtkIdType Draw(vtkOpenGLRenderWindow* window, const Points& points,
+    const vtkPointSurfaceView& view, vtkSurfaceTarget& target);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  vtkPointProjection(const vtkPointProjection&) = delete;
+  void operator=(const vtkPointProjection&) = delete;
+
+  void BindAttributes(vtkShaderProgram* program, vtkOpenGLVertexBufferObjectGroup* buffers);
+  void SetUniforms(
+    vtkShaderProgram* program, const Points& points, const vtkPointSurfaceView& view);
+
+  vtkNew<vtkOpenGLIndexBufferObject> Ids;
+  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
+  vtkShaderProgram* BoundProgram = nullptr; // whose attributes VertexArray holds; not owned
+  vtkTimeStamp BindTime;
+};
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSurfaceView
+ * @brief   all of a view of a cloud that a surface buffer is a function of, by value
+ *
+ * VTK has no frame counter, and a light, an eye of a stereo pair or a tile each have a camera of
+ * their own; so two frames have the same surface buffer if and only if their views are equal.
+ * Matrices are VTK's with row vectors, as GLSL reads them (M[column][row] = Data[4 column + row]).
+ */
+#ifndef vtkPointSurfaceView_h
+#define vtkPointSurfaceView_h
+
+#include "vtkType.h"
+
+#include <array>
+
+struct vtkPointSurfaceView
+{
+  /// Faces that are dropped, as in vtkProperty.
+  enum Culling
+  {
+    NoCulling,
+    BackfaceCulling,
+    FrontfaceCulling
+  };
+
+  std::array<double, 16> MCVC{}; ///< from uploaded coordinates (VBO shift and scale) to the eye
+  std::array<double, 16> VCDC{}; ///< from the eye to clip coordinates
+  std::array<double, 9> Normal{};
+  std::array<int, 2> Size{};                             ///< of the surface buffer in pixels
+  std::array<std::array<double, 4>, 6> ClippingPlanes{}; ///< in uploaded coordinates
+  int NumberOfClippingPlanes = 0;
+  int Cull = NoCulling;
+  double RadiusScale = 1.0; ///< from the radii's units to eye units
+  vtkMTimeType DataTime = 0;
+  vtkMTimeType MapperTime = 0;
+
+  // What follows from the above and the cloud's bounds.
+  std::array<int, 4> Rectangle{};     ///< x, y, width, height: nothing is drawn outside
+  std::array<double, 2> DepthRange{}; ///< eye depth between which all points lie
+  double LargestRadius = 0.0;         ///< in eye units
+
+  bool IsParallel() const { return this->VCDC[11] == 0.0; }
+
+  bool operator==(const vtkPointSurfaceView& other) const
+  {
+    return this->MCVC == other.MCVC && this->VCDC == other.VCDC && this->Normal == other.Normal &&
+      this->Size == other.Size && this->ClippingPlanes == other.ClippingPlanes &&
+      this->NumberOfClippingPlanes == other.NumberOfClippingPlanes && this->Cull == other.Cull &&
+      this->RadiusScale == other.RadiusScale && this->DataTime == other.DataTime &&
+      this->MapperTime == other.MapperTime;
+  }
+};
+
+#endif

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPullPushReconstruction.h"
+
+#include "vtkPointSurfaceView.h"
+#include "vtkPullFS.h"
+#include "vtkPushFS.h"
+#include "vtkScreenPass.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace
+{
+/// Levels above the finest one until the image is one pixel.
+int CountLevels(int width, int height)
+{
+  int levels = 1; // one more than a single pixel needs, so that there is always a push
+  for (int size = std::max(width, height); size > 2; size = (size + 1) / 2)
+  {
+    ++levels;
+  }
+  return levels;
+}
+
+void SetBounds(
+  vtkShaderProgram* program, const std::string& prefix, const std::array<int, 4>& rectangle)
+{
+  program->SetUniform2i((prefix + "Begin").c_str(), rectangle.data());
+  program->SetUniform2i((prefix + "End").c_str(), rectangle.data() + 2);
+}
+}
+
+vtkPullPushReconstruction::vtkPullPushReconstruction() = default;
+vtkPullPushReconstruction::~vtkPullPushReconstruction() = default;
+
+//------------------------------------------------------------------------------
+void vtkPullPushReconstruction::Run(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
+  const Options& options, vtkSurfaceTarget& projected, vtkSurfaceTarget& surface)
+{
+  this->Levels = CountLevels(view.Size[0], view.Size[1]);
+  this->Passes = 0;
+  this->AllocatePyramid(window, view, projected.GetLayers());
+
+  auto pulled = [&](int level) -> vtkSurfaceTarget&
+  { return level == 0 ? projected : *this->Pulled[level - 1]; };
+  for (int level = 1; level <= this->Levels; ++level)
+  {
+    this->Pull(window, view, pulled(level - 1), level);
+  }
+  for (int level = this->Levels - 1; level >= 0; --level)
+  {
+    const bool coarsest = level + 1 == this->Levels;
+    this->Push(window, view, options, pulled(level),
+      coarsest ? pulled(level + 1) : *this->Pushed[level],
+      level == 0 ? surface : *this->Pushed[level - 1], level);
+  }
+}
+
+void vtkPullPushReconstruction::AllocatePyramid(
+  vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, const Layers& layers)
+{
+  while (static_cast<int>(this->Pulled.size()) < this->Levels)
+  {
+    this->Pulled.emplace_back(new vtkSurfaceTarget);
+    this->Pushed.emplace_back(new vtkSurfaceTarget);
+  }
+  const auto& r = view.Rectangle;
+  this->Rectangles.assign(1, { r[0], r[1], r[0] + r[2], r[1] + r[3] });
+  int width = view.Size[0];
+  int height = view.Size[1];
+  for (int level = 1; level <= this->Levels; ++level)
+  {
+    width = (width + 1) / 2;
+    height = (height + 1) / 2;
+    const Rectangle fine = this->Rectangles.back();
+    this->Rectangles.push_back({ fine[0] / 2, fine[1] / 2, (fine[2] + 1) / 2, (fine[3] + 1) / 2 });
+    this->Pulled[level - 1]->Allocate(window, width, height, layers);
+    if (level < this->Levels)
+    {
+      this->Pushed[level - 1]->Allocate(window, width, height, layers);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPullPushReconstruction::Pull(
+  vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& fine, int level)
+{
+  vtkSurfaceTarget& coarse = *this->Pulled[level - 1];
+  vtkScreenPass& pass = this->GetPass(true, fine.GetLayers(), coarse.GetLayers());
+  vtkShaderProgram* program = pass.Ready(window);
+  if (!program)
+  {
+    return;
+  }
+  fine.Activate();
+  fine.SetSamplers(program, "fine");
+  SetBounds(program, "fine", this->Rectangles[level - 1]);
+  program->SetUniformf("fineSize", static_cast<float>(1 << (level - 1)));
+  program->SetUniformi("twoSided", view.Cull == vtkPointSurfaceView::NoCulling);
+  coarse.BindForWriting(window);
+  this->DrawLevel(window, pass, level);
+  fine.Deactivate();
+}
+
+void vtkPullPushReconstruction::Push(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
+  const Options& options, vtkSurfaceTarget& fine, vtkSurfaceTarget& coarse,
+  vtkSurfaceTarget& result, int level)
+{
+  vtkScreenPass& pass = this->GetPass(false, fine.GetLayers(), result.GetLayers());
+  vtkShaderProgram* program = pass.Ready(window);
+  if (!program)
+  {
+    return;
+  }
+  fine.Activate();
+  fine.SetSamplers(program, "fine");
+  coarse.Activate();
+  coarse.SetSamplers(program, "coarse");
+  SetBounds(program, "coarse", this->Rectangles[level + 1]);
+  program->SetUniformf("fineSize", static_cast<float>(1 << level));
+  const float pixelToEye[4] = { static_cast<float>(2.0 / (view.Size[0] * view.VCDC[0])),
+    static_cast<float>(2.0 / (view.Size[1] * view.VCDC[5])), static_cast<float>(-view.VCDC[11]),
+    static_cast<float>(view.VCDC[15]) };
+  program->SetUniform4f("pixelToEye", pixelToEye);
+  program->SetUniformi("twoSided", view.Cull == vtkPointSurfaceView::NoCulling);
+  program->SetUniformi("depthTest", options.DepthTestInPush);
+  result.BindForWriting(window);
+  this->DrawLevel(window, pass, level);
+  coarse.Deactivate();
+  fine.Deactivate();
+}
+
+void vtkPullPushReconstruction::DrawLevel(
+  vtkOpenGLRenderWindow* window, vtkScreenPass& pass, int level)
+{
+  const Rectangle& r = this->Rectangles[level];
+  pass.Draw(window, r[0], r[1], r[2] - r[0], r[3] - r[1]);
+  ++this->Passes;
+}
+
+//------------------------------------------------------------------------------
+vtkScreenPass& vtkPullPushReconstruction::GetPass(
+  bool pull, const Layers& input, const Layers& output)
+{
+  std::unique_ptr<vtkScreenPass>& pass = this->Programs[pull][{ input, output }];
+  if (!pass)
+  {
+    std::string inputs = vtkSurfaceTarget::GetInputDeclarations(input, "fine");
+    if (!pull)
+    {
+      inputs += vtkSurfaceTarget::GetInputDeclarations(input, "coarse");
+    }
+    pass.reset(new vtkScreenPass("//VTK::System::Dec\n" + inputs +
+      vtkSurfaceTarget::GetOutputDeclarations(output) + (pull ? vtkPullFS : vtkPushFS)));
+  }
+  return *pass;
+}
+
+void vtkPullPushReconstruction::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (auto* pyramid : { &this->Pulled, &this->Pushed })
+  {
+    for (auto& level : *pyramid)
+    {
+      level->ReleaseGraphicsResources(window);
+    }
+  }
+  for (auto& programs : this->Programs)
+  {
+    for (auto& entry : programs)
+    {
+      entry.second->ReleaseGraphicsResources();
+    }
+  }
+}

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPullPushReconstruction
+ * @brief   the step from one-pixel projections to a surface buffer, by pull-push interpolation
+ *
+ * Builds the coarser levels of an image pyramid from the projected points (pull), then fills the
+ * invalid and occluded pixels of each level from the coarser one (push) (Marroquim, Kraus,
+ * Cavalcanti 2007, sections 3.2 and 3.3). The paper keeps both phases in two buffers and copies
+ * between them; here each phase writes a pyramid of its own, so that no pixel is copied and no
+ * texture is read while it is written.
+ */
+#ifndef vtkPullPushReconstruction_h
+#define vtkPullPushReconstruction_h
+
+#include "vtkSurfaceTarget.h"
+
+#include <array>
+#include <map>
+#include <memory>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkScreenPass;
+class vtkWindow;
+struct vtkPointSurfaceView;
+
+class vtkPullPushReconstruction
+{
+public:
+  /**
+   * Departures from the paper; all off is the published algorithm.
+   */
+  struct Options
+  {
+    bool DepthTestInPush = false;
+  };
+
+  vtkPullPushReconstruction();
+  ~vtkPullPushReconstruction();
+
+  /**
+   * Fills `surface` (layer Surface, and Id and Color where `projected` has them) from `projected`
+   * within the view's rectangle.
+   */
+  void Run(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, const Options& options,
+    vtkSurfaceTarget& projected, vtkSurfaceTarget& surface);
+
+  /**
+   * Levels above the finest one, and passes over the screen, of the last run.
+   */
+  int GetLevels() const { return this->Levels; }
+  int GetPasses() const { return this->Passes; }
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  vtkPullPushReconstruction(const vtkPullPushReconstruction&) = delete;
+  void operator=(const vtkPullPushReconstruction&) = delete;
+
+  using Rectangle = std::array<int, 4>; // x, y, x end, y end
+  using Layers = std::vector<vtkSurfaceTarget::Layer>;
+
+  void AllocatePyramid(
+    vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, const Layers& layers);
+  void Pull(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& fine,
+    int level);
+  void Push(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, const Options& options,
+    vtkSurfaceTarget& fine, vtkSurfaceTarget& coarse, vtkSurfaceTarget& result, int level);
+  vtkScreenPass& GetPass(bool pull, const Layers& input, const Layers& output);
+  void DrawLevel(vtkOpenGLRenderWindow* window, vtkScreenPass& pass, int level);
+
+  int Levels = 0;
+  int Passes = 0;
+  std::vector<Rectangle> Rectangles;                     // of each level, 0 the finest
+  std::vector<std::unique_ptr<vtkSurfaceTarget>> Pulled; // levels 1 and up, by level - 1
+  std::vector<std::unique_ptr<vtkSurfaceTarget>> Pushed; // the same; the coarsest is not used
+  std::map<std::pair<Layers, Layers>, std::unique_ptr<vtkScreenPass>> Programs[2];
+};
+
+#endif

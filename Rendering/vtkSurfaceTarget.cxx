@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSurfaceTarget.h"
+
+#include "vtkPointSurfaceCompat.h"
+
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace
+{
+const char* const LayerNames[vtkSurfaceTarget::NumberOfLayers] = { "Shape", "Interval", "Surface",
+  "Id", "Color" };
+const char* const OutputNames[vtkSurfaceTarget::NumberOfLayers] = { "OUT_SHAPE", "OUT_INTERVAL",
+  "OUT_SURFACE", "OUT_ID", "OUT_COLOR" };
+
+bool IsInteger(vtkSurfaceTarget::Layer layer)
+{
+  return layer == vtkSurfaceTarget::Id;
+}
+}
+
+vtkSurfaceTarget::vtkSurfaceTarget() = default;
+vtkSurfaceTarget::~vtkSurfaceTarget() = default;
+
+bool vtkSurfaceTarget::Has(Layer layer) const
+{
+  return std::find(this->Layers.begin(), this->Layers.end(), layer) != this->Layers.end();
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceTarget::Allocate(vtkOpenGLRenderWindow* window, int width, int height,
+  const std::vector<Layer>& layers, bool depthBuffer)
+{
+  if (this->Width == width && this->Height == height && this->Layers == layers)
+  {
+    return;
+  }
+  this->ReleaseGraphicsResources(window);
+  this->Width = width;
+  this->Height = height;
+  this->Layers = layers;
+  for (Layer layer : layers)
+  {
+    vtkTextureObject* texture = this->GetTexture(layer);
+    texture->SetContext(window);
+    texture->SetMinificationFilter(vtkTextureObject::Nearest);
+    texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+    if (IsInteger(layer))
+    {
+      texture->SetInternalFormat(GL_R32UI);
+      texture->SetFormat(GL_RED_INTEGER);
+      texture->SetDataType(GL_UNSIGNED_INT);
+      texture->Allocate2D(width, height, 1, VTK_UNSIGNED_INT);
+    }
+    else
+    {
+      texture->Allocate2D(width, height, 4, VTK_FLOAT);
+    }
+  }
+
+  this->Framebuffer->SetContext(window);
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  for (size_t i = 0; i < layers.size(); ++i)
+  {
+    this->Framebuffer->AddColorAttachment(
+      static_cast<unsigned int>(i), this->GetTexture(layers[i]));
+  }
+  if (depthBuffer)
+  {
+    this->DepthBuffer->SetContext(window);
+    this->DepthBuffer->AllocateDepth(width, height, vtkTextureObject::Float32);
+    this->Framebuffer->AddDepthAttachment(this->DepthBuffer);
+  }
+  const char* fault = nullptr;
+  if (!vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_FRAMEBUFFER, fault))
+  {
+    vtkGenericWarningMacro("A surface target of " << width << " x " << height
+                                                  << " pixels cannot be drawn to: " << fault);
+  }
+  state->PopFramebufferBindings();
+}
+
+void vtkSurfaceTarget::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Framebuffer->ReleaseGraphicsResources(window);
+  for (auto& texture : this->Textures)
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
+  this->DepthBuffer->ReleaseGraphicsResources(window);
+  this->Width = this->Height = 0;
+  this->Layers.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceTarget::BindForWriting(vtkOpenGLRenderWindow* window)
+{
+  const unsigned int count = static_cast<unsigned int>(this->Layers.size());
+  this->Framebuffer->Bind();
+  this->Framebuffer->ActivateDrawBuffers(count);
+  // vtkOpenGLState takes draw buffers 1 and up from the framebuffer that was bound before (it
+  // re-reads only the first at a bind), so that the call above can do nothing inside of a pass
+  // that has several of its own.
+  std::vector<GLenum> buffers(count);
+  for (unsigned int i = 0; i < count; ++i)
+  {
+    buffers[i] = GL_COLOR_ATTACHMENT0 + i;
+  }
+  glDrawBuffers(static_cast<GLsizei>(count), buffers.data());
+  window->GetState()->vtkglViewport(0, 0, this->Width, this->Height);
+}
+
+void vtkSurfaceTarget::Clear()
+{
+  const GLfloat zero[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+  const GLuint none[4] = { 0, 0, 0, 0 };
+  const GLfloat farthest = 1.0f;
+  for (size_t i = 0; i < this->Layers.size(); ++i)
+  {
+    if (IsInteger(this->Layers[i]))
+    {
+      glClearBufferuiv(GL_COLOR, static_cast<GLint>(i), none);
+    }
+    else
+    {
+      glClearBufferfv(GL_COLOR, static_cast<GLint>(i), zero);
+    }
+  }
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceTarget::Activate()
+{
+  for (Layer layer : this->Layers)
+  {
+    this->GetTexture(layer)->Activate();
+  }
+}
+
+void vtkSurfaceTarget::SetSamplers(vtkShaderProgram* program, const std::string& prefix)
+{
+  for (Layer layer : this->Layers)
+  {
+    const std::string name = prefix + LayerNames[layer];
+    program->SetUniformi(name.c_str(), this->GetTexture(layer)->GetTextureUnit());
+  }
+}
+
+void vtkSurfaceTarget::Deactivate()
+{
+  for (Layer layer : this->Layers)
+  {
+    this->GetTexture(layer)->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSurfaceTarget::GetInputDeclarations(
+  const std::vector<Layer>& layers, const std::string& prefix)
+{
+  std::string text;
+  for (Layer layer : layers)
+  {
+    text += std::string("uniform ") + (IsInteger(layer) ? "usampler2D " : "sampler2D ") + prefix +
+      LayerNames[layer] + ";\n";
+    text += layer == Id ? "#define HAS_ID\n" : layer == Color ? "#define HAS_COLOR\n" : "";
+  }
+  return text;
+}
+
+std::string vtkSurfaceTarget::GetOutputDeclarations(const std::vector<Layer>& layers)
+{
+  // vtkOpenGLShaderCache renames gl_FragData[i] to fragOutput<i> and binds that to location i; it
+  // would declare all of them as vec4, so they are declared here.
+  std::ostringstream text;
+  for (size_t i = 0; i < layers.size(); ++i)
+  {
+    text << "out " << (IsInteger(layers[i]) ? "uint" : "vec4") << " fragOutput" << i << ";\n"
+         << "#define " << OutputNames[layers[i]] << " gl_FragData[" << i << "]\n";
+  }
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceTarget::Read(vtkOpenGLRenderWindow* window, Layer layer, void* pixels)
+{
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  const auto attachment =
+    std::find(this->Layers.begin(), this->Layers.end(), layer) - this->Layers.begin();
+  this->Framebuffer->ActivateReadBuffer(static_cast<unsigned int>(attachment));
+  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, this->Width, this->Height, IsInteger(layer) ? GL_RED_INTEGER : GL_RGBA,
+    IsInteger(layer) ? GL_UNSIGNED_INT : GL_FLOAT, pixels);
+  state->PopFramebufferBindings();
+}
+
+std::vector<float> vtkSurfaceTarget::ReadFloats(vtkOpenGLRenderWindow* window, Layer layer)
+{
+  std::vector<float> pixels(static_cast<size_t>(this->Width) * this->Height * 4);
+  this->Read(window, layer, pixels.data());
+  return pixels;
+}
+
+std::vector<unsigned int> vtkSurfaceTarget::ReadIds(vtkOpenGLRenderWindow* window)
+{
+  std::vector<unsigned int> pixels(static_cast<size_t>(this->Width) * this->Height);
+  this->Read(window, Id, pixels.data());
+  return pixels;
+}

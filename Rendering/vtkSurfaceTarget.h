@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSurfaceTarget
+ * @brief   the layers of an image that a step writes in one go and the next step reads
+ *
+ * A set of textures of one size (normals, depths, colours, ids: see Layer) and the framebuffer
+ * to write them. Every step takes and returns such targets; shaders name the layers by the macros
+ * and samplers that GetOutputDeclarations() and GetInputDeclarations() write.
+ */
+#ifndef vtkSurfaceTarget_h
+#define vtkSurfaceTarget_h
+
+#include "vtkNew.h"
+
+#include <string>
+#include <vector>
+
+class vtkFloatArray;
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+class vtkSurfaceTarget
+{
+public:
+  enum Layer
+  {
+    Shape,    ///< xyz: eye-space normal; w: radius in eye units, 0 where the pixel is invalid
+    Interval, ///< x, y: least and largest eye depth; zw: displacement of the ellipse's centre
+    Surface,  ///< xyz: eye-space normal; w: eye depth, 0 where there is no surface
+    Id,       ///< point id + 1 (an unsigned integer), 0 where there is none
+    Color,    ///< RGBA, or texture coordinates in xy
+    NumberOfLayers
+  };
+
+  vtkSurfaceTarget();
+  ~vtkSurfaceTarget();
+
+  /**
+   * Makes the target `width` x `height` with these layers, and a depth buffer if asked. Does
+   * nothing when it is so already.
+   */
+  void Allocate(vtkOpenGLRenderWindow* window, int width, int height,
+    const std::vector<Layer>& layers, bool depthBuffer = false);
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+  int GetWidth() const { return this->Width; }
+  int GetHeight() const { return this->Height; }
+  const std::vector<Layer>& GetLayers() const { return this->Layers; }
+  bool Has(Layer layer) const;
+
+  /**
+   * Binds the framebuffer for writing all layers, with the viewport over all of it.
+   */
+  void BindForWriting(vtkOpenGLRenderWindow* window);
+
+  /**
+   * Sets all layers within the scissor rectangle to 0 and the depth buffer to 1. The target is
+   * bound for writing.
+   */
+  void Clear();
+
+  ///@{
+  /**
+   * Binds the layers to texture units, and tells a program by the names of
+   * GetInputDeclarations(prefix).
+   */
+  void Activate();
+  void SetSamplers(vtkShaderProgram* program, const std::string& prefix);
+  void Deactivate();
+  ///@}
+
+  /**
+   * GLSL: a sampler for each layer, named prefix + "Shape", "Interval", ...; and a macro
+   * HAS_ID or HAS_COLOR where the target has these layers.
+   */
+  static std::string GetInputDeclarations(
+    const std::vector<Layer>& layers, const std::string& prefix);
+
+  /**
+   * GLSL: a fragment output for each layer, by the macros OUT_SHAPE, OUT_INTERVAL, OUT_SURFACE,
+   * OUT_ID, OUT_COLOR.
+   */
+  static std::string GetOutputDeclarations(const std::vector<Layer>& layers);
+
+  ///@{
+  /**
+   * Copies a layer to memory, from the lower left pixel on: four floats or one id + 1 a pixel.
+   */
+  std::vector<float> ReadFloats(vtkOpenGLRenderWindow* window, Layer layer);
+  std::vector<unsigned int> ReadIds(vtkOpenGLRenderWindow* window);
+  ///@}
+
+private:
+  vtkSurfaceTarget(const vtkSurfaceTarget&) = delete;
+  void operator=(const vtkSurfaceTarget&) = delete;
+
+  vtkTextureObject* GetTexture(Layer layer) const { return this->Textures[layer]; }
+  void Read(vtkOpenGLRenderWindow* window, Layer layer, void* pixels);
+
+  int Width = 0;
+  int Height = 0;
+  std::vector<Layer> Layers;
+  vtkNew<vtkTextureObject> Textures[NumberOfLayers];
+  vtkNew<vtkTextureObject> DepthBuffer;
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+};
+
+#endif
