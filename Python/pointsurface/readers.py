@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Opens a user's file, whatever its format, as a volume or as points."""
+
+import os
+import re
+import subprocess
+import sys
+import warnings
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkPoints, vtkStringOutputWindow
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
+from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkNIFTIImageReader, vtkNrrdReader
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
+
+
+class UnreadableFile(Exception):
+    """A file that cannot be opened as a volume or as points; its text is one line that says why."""
+
+
+def read(path, progress=None):
+    """The content of a file: vtkImageData for a volume, vtkPolyData for points or a mesh.
+
+    By extension: vti, mhd, mha, nhdr, nrrd, nii, nii.gz (volumes, with one component of active scalars);
+    vtp, ply, obj, stl (points, with normals, colours and polygons if the file has them);
+    xyz (text, one point a line: x y z, or x y z nx ny nz, or x y z r g b with colours of 0 to 255; blanks or commas
+    between the numbers; comments start with # or //).
+    progress: called with 0 to 1 while VTK reads.
+    Raises UnreadableFile for a file that is missing, broken, empty or of an unknown format.
+    """
+    if os.path.isdir(path):
+        raise UnreadableFile(f"{path} is a folder; a file is needed")
+    if not os.path.exists(path):
+        raise UnreadableFile(f"{path} does not exist")
+    if not os.access(path, os.R_OK):
+        raise UnreadableFile(f"{path} may not be read by this user")
+
+    extension = _extension(path)
+    if extension == "xyz":
+        return _read_xyz(path)
+    if extension == "stl":
+        _check_stl(path)
+    if extension in _NEED_TRIAL:
+        _try_reader(_READERS[extension], path)
+    data = _run_reader(_READERS[extension](), path, progress)
+    if isinstance(data, vtkImageData):
+        _check_volume(path, data)
+    elif data.GetNumberOfPoints() == 0:
+        raise UnreadableFile(f"{path} holds no points")
+    return data
+
+
+_READERS = {
+    "vti": vtkXMLImageDataReader,
+    "mhd": vtkMetaImageReader,
+    "mha": vtkMetaImageReader,
+    "nhdr": vtkNrrdReader,
+    "nrrd": vtkNrrdReader,
+    "nii": vtkNIFTIImageReader,
+    "nii.gz": vtkNIFTIImageReader,
+    "vtp": vtkXMLPolyDataReader,
+    "ply": vtkPLYReader,
+    "obj": vtkOBJReader,
+    "stl": vtkSTLReader,
+}
+
+# On a file cut short these readers crash (PLY), or print a line and go on with a part of the data (MetaImage).
+_NEED_TRIAL = ("ply", "mhd", "mha")
+
+
+def _extension(path):
+    name = os.path.basename(path).lower()
+    for extension in (*_READERS, "xyz"):
+        if name.endswith("." + extension):
+            return extension
+    known = ", ".join([*_READERS, "xyz"])
+    raise UnreadableFile(f"{path} has an unknown extension; known are {known}")
+
+
+def _run_reader(reader, path, progress):
+    """The reader's output; whatever VTK has to complain about, from any object below it, raises UnreadableFile."""
+    if progress is not None:
+        reader.AddObserver("ProgressEvent", lambda caller, _: progress(caller.GetProgress()))
+    complaints = vtkStringOutputWindow()
+    usual = vtkOutputWindow.GetInstance()
+    verbosity = vtkLogger.GetCurrentVerbosityCutoff()
+    vtkOutputWindow.SetInstance(complaints)
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+    try:
+        reader.SetFileName(path)
+        reader.Update()
+    finally:
+        vtkOutputWindow.SetInstance(usual)
+        vtkLogger.SetStderrVerbosity(verbosity)
+    # A generic warning tells of a file that ends too early, in the readers of raw data.
+    pattern = r"^(?:ERROR|Generic Warning): In [^\n]*\n(?:\w+ \(0x\w+\): )?(.*?)\s*(?:\n\n|\Z)"
+    errors = re.findall(pattern, complaints.GetOutput(), re.M | re.S)
+    if errors:
+        reason = " ".join(errors[0].split())
+        raise UnreadableFile(f"{path} cannot be read: {reader.GetClassName()} says: {reason}")
+    return reader.GetOutput()
+
+
+def _try_reader(reader_class, path):
+    """Reads the file in a process of its own; a crash, or anything printed, raises UnreadableFile."""
+    code = f"""
+import sys
+from {reader_class.__module__} import {reader_class.__name__}
+reader = {reader_class.__name__}()
+reader.SetFileName(sys.argv[1])
+reader.Update()
+"""
+    trial = subprocess.run([sys.executable, "-c", code, path], capture_output=True, text=True, errors="replace")
+    if trial.returncode != 0 or trial.stderr.strip():
+        said = re.sub(r"\x1b\[\d*m", "", trial.stderr)  # colours
+        said = re.sub(r"^(?:.*\| )?(?:\w+ \(0x\w+\): )?", "", said, flags=re.M)  # time, place, object
+        reason = next((line.strip() for line in said.splitlines() if line.strip()), "nothing, and crashes")
+        raise UnreadableFile(f"{path} cannot be read: {reader_class.__name__} says: {reason}")
+
+
+def _check_stl(path):
+    """VTK takes whatever bytes there are for triangles."""
+    size = os.path.getsize(path)
+    with open(path, "rb") as file:
+        head = file.read(84)
+    is_text = head.lstrip()[:5].lower() == b"solid"
+    triangles = int.from_bytes(head[80:84], "little")
+    if not is_text and (len(head) < 84 or size < 84 + 50 * triangles):
+        raise UnreadableFile(f"{path} is no STL: neither text that starts with solid, nor as long as its header says")
+
+
+def _check_volume(path, volume):
+    data = volume.GetPointData()
+    if data.GetScalars() is None and data.GetNumberOfArrays() > 0:
+        data.SetActiveScalars(data.GetArrayName(0))
+    scalars = data.GetScalars()
+    if volume.GetNumberOfPoints() == 0 or scalars is None or scalars.GetNumberOfTuples() == 0:
+        raise UnreadableFile(f"{path} holds no volume with values at its points")
+    if scalars.GetNumberOfComponents() != 1:
+        raise UnreadableFile(
+            f'{path}: the array "{scalars.GetName()}" has {scalars.GetNumberOfComponents()} components; '
+            "a volume of one component is needed"
+        )
+    if min(volume.GetDimensions()) < 2:
+        size = " x ".join(map(str, volume.GetDimensions()))
+        raise UnreadableFile(f"{path} is {size} samples; a volume needs at least 2 along each axis")
+
+
+def _read_xyz(path):
+    try:
+        with open(path, encoding="utf-8") as file, warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # of an empty file, which is an error below
+            lines = (line.replace(",", " ") for line in file)
+            values = np.loadtxt(lines, comments=("#", "//"), ndmin=2)
+    except ValueError as error:  # UnicodeDecodeError among them
+        raise UnreadableFile(f"{path} cannot be read as columns of numbers: {error}") from error
+    if values.size == 0:
+        raise UnreadableFile(f"{path} holds no points")
+    if values.shape[1] not in (3, 6):
+        raise UnreadableFile(
+            f"{path} has {values.shape[1]} columns; x y z, x y z nx ny nz or x y z r g b are needed"
+        )
+    return _points_with_attributes(values)
+
+
+def _points_with_attributes(values):
+    """Points from columns x y z, and three more: normals if all are in -1 to 1, else colours of 0 to 255."""
+    result = vtkPolyData()
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.ascontiguousarray(values[:, :3]), deep=True))
+    result.SetPoints(points)
+    attributes = np.ascontiguousarray(values[:, 3:])
+    if attributes.shape[1] == 0:
+        return result
+    if np.nanmax(np.abs(attributes)) <= 1.001:  # some writers round up
+        normals = numpy_to_vtk(attributes.astype(np.float32), deep=True)
+        normals.SetName("Normals")
+        result.GetPointData().SetNormals(normals)
+    else:
+        colors = numpy_to_vtk(np.clip(np.nan_to_num(attributes), 0, 255).astype(np.uint8), deep=True)
+        colors.SetName("RGB")
+        result.GetPointData().SetScalars(colors)
+    return result

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The surface itself as a picture, a normal and a depth for each pixel: its mesh, drawn by VTK and supersampled."""
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkRenderingCore import vtkActor, vtkCamera, vtkPolyDataMapper, vtkRenderer
+from vtkmodules.vtkRenderingOpenGL2 import vtkCameraPass, vtkRenderPassCollection, vtkSequencePass, vtkValuePass
+
+from .metrics import SurfaceImage
+from .rendering import box_average, offscreen_window, read_color
+
+_POINT_FIELD_DATA = 3  # VTK_SCALAR_MODE_USE_POINT_FIELD_DATA
+_CELL_FIELD_DATA = 4  # VTK_SCALAR_MODE_USE_CELL_FIELD_DATA
+
+
+def render_truth(mesh, renderer, surface_property, size, supersampling=4):
+    """A SurfaceImage of a mesh as `renderer` sees it: its camera, lights and background.
+
+    mesh: vtkPolyData of polygons or strips with point normals.
+    surface_property: the vtkProperty of the surface.
+    size: (width, height) in pixels.
+    supersampling: samples along each side of a pixel; 4 gives 16 samples a pixel. Normals and depth are at the pixels'
+    centres. Normals on the back of a face are turned to the viewer.
+    Raises ValueError for a mesh without polygons or without normals.
+    """
+    triangles = vtkTriangleFilter()
+    triangles.PassVertsOff()
+    triangles.PassLinesOff()
+    triangles.SetInputData(mesh)
+    triangles.Update()
+    surface = triangles.GetOutput()
+    if surface.GetNumberOfPolys() == 0:
+        raise ValueError("the mesh of the true surface has no polygons")
+    if surface.GetPointData().GetNormals() is None:
+        raise ValueError("the mesh of the true surface has no point normals")
+
+    scene = _SceneOfOneSurface(surface, renderer, surface_property, size)
+    color = box_average(read_color(scene.window, supersampling), supersampling)
+    normals, depth = _normals_and_depth(scene, surface)
+    return SurfaceImage(color, normals, depth)
+
+
+class _SceneOfOneSurface:
+    """A surface alone in a window, with the camera, lights and background of another renderer."""
+
+    def __init__(self, surface, like, surface_property, size):
+        self.mapper = vtkPolyDataMapper()
+        self.mapper.SetInputData(surface)
+        self.mapper.ScalarVisibilityOff()
+        actor = vtkActor()
+        actor.SetMapper(self.mapper)
+        actor.SetProperty(surface_property)
+        self.renderer = vtkRenderer()
+        self.renderer.SetBackground(like.GetBackground())
+        self.renderer.SetAmbient(like.GetAmbient())
+        for light in like.GetLights():
+            self.renderer.AddLight(light)
+        self.renderer.AddActor(actor)
+        camera = vtkCamera()
+        camera.DeepCopy(like.GetActiveCamera())
+        self.renderer.SetActiveCamera(camera)
+        self.renderer.ResetCameraClippingRange()
+        self.window = offscreen_window(self.renderer, size)
+        self.size = size
+
+    def show(self, polydata):
+        self.mapper.SetInputData(polydata)
+
+    def read_values(self, names):
+        """Arrays of one component at the pixels' centres, with no shading: name to (height, width).
+
+        names: pairs of a scalar mode, that of point or cell field data, and an array's name.
+        """
+        values = vtkValuePass()
+        values.SetInputComponentToProcess(0)
+        passes = vtkRenderPassCollection()
+        passes.AddItem(values)
+        sequence = vtkSequencePass()
+        sequence.SetPasses(passes)
+        with_camera = vtkCameraPass()
+        with_camera.SetDelegatePass(sequence)
+        self.renderer.SetPass(with_camera)
+        # The pass's first frame, which allocates its framebuffer, is drawn without a depth test.
+        values.SetInputArrayToProcess(*names[0])
+        self.window.Render()
+
+        result = {}
+        width, height = self.size
+        for mode, name in names:
+            values.SetInputArrayToProcess(mode, name)
+            self.window.Render()
+            result[name] = vtk_to_numpy(values.GetFloatImageDataArray(self.renderer)).reshape(height, width).copy()
+        self.renderer.SetPass(None)
+        values.ReleaseGraphicsResources(self.window)
+        return result
+
+
+def _normals_and_depth(scene, surface):
+    """Eye-space unit normals (height, width, 3) and depth (height, width), both 0 where there is no surface."""
+    scene.show(_with_eye_space_arrays(surface, scene.renderer.GetActiveCamera()))
+    axes = [f"normal {axis}" for axis in "xyz"]
+    values = scene.read_values(
+        [(_POINT_FIELD_DATA, name) for name in ("depth", *axes)] + [(_CELL_FIELD_DATA, "facing")]
+    )
+    mask = np.isfinite(values["depth"])  # the pass clears to NaN
+    normals = np.stack([values[name] for name in axes], axis=-1) * values["facing"][..., None]
+    normals = np.where(mask[..., None], normals, 0)
+    normals /= np.maximum(np.linalg.norm(normals, axis=-1, keepdims=True), 1e-30)
+    return normals, np.where(mask, values["depth"], 0)
+
+
+def _with_eye_space_arrays(surface, camera):
+    """The surface with its eye depth and eye-space normal per point, and per cell 1 (front) or -1 (back)."""
+    points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+    normals = vtk_to_numpy(surface.GetPointData().GetNormals()).astype(float)
+    matrix = camera.GetViewTransformMatrix()
+    view = np.array([[matrix.GetElement(row, column) for column in range(4)] for row in range(4)])
+    eye_points = points @ view[:3, :3].T + view[:3, 3]
+    eye_normals = normals @ view[:3, :3].T
+
+    result = vtkPolyData()
+    result.ShallowCopy(surface)
+    _add_array(result.GetPointData(), "depth", -eye_points[:, 2])
+    for i, axis in enumerate("xyz"):
+        _add_array(result.GetPointData(), f"normal {axis}", eye_normals[:, i])
+
+    triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    a, b, c = (eye_points[triangles[:, i]] for i in range(3))
+    to_eye = np.array([0.0, 0.0, 1.0]) if camera.GetParallelProjection() else -a
+    front = np.sum(np.cross(b - a, c - a) * to_eye, axis=-1) >= 0
+    _add_array(result.GetCellData(), "facing", np.where(front, 1.0, -1.0))
+    return result
+
+
+def _add_array(data, name, values):
+    array = numpy_to_vtk(values.astype(np.float32), deep=True)
+    array.SetName(name)
+    data.AddArray(array)
