@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
+# shellcheck shell=bash disable=SC2034
 # What demo.sh and test.sh have in common: packages of Debian, and the build. Each sources this file.
 set -euo pipefail
 
@@ -46,8 +47,8 @@ as_root() {
   fi
 }
 
-# install REQUIRED... -- OPTIONAL...: installs what is missing; stops where a required package cannot be had.
-install() {
+# install_packages REQUIRED... -- OPTIONAL...: installs what is missing; stops where a required package cannot be had.
+install_packages() {
   local required=() optional=()
   while [[ $# -gt 0 && $1 != -- ]]; do
     required+=("$1")
