@@ -10,8 +10,10 @@ set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}"
 option(BUILD_SHARED_LIBS "Build a shared library" ON)
 option(POINTSURFACE_WRAP_PYTHON "Build the Python package pointsurface" ON)
 
+set(vtk_modules CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem FiltersPoints RenderingCore
+  RenderingOpenGL2 RenderingUI)
 find_package(VTK 9.1 REQUIRED
-  COMPONENTS CommonCore CommonDataModel CommonExecutionModel RenderingCore RenderingOpenGL2 RenderingUI FiltersPoints
+  COMPONENTS ${vtk_modules}
   OPTIONAL_COMPONENTS Python WrappingPythonCore FiltersCore FiltersGeneral FiltersGeometry FiltersSources IOImage
     IOXML ImagingCore ImagingHybrid InteractionStyle RenderingFreeType TestingCore TestingRendering)
 
@@ -21,6 +23,7 @@ vtk_module_scan(
   PROVIDES_MODULES modules
   ENABLE_TESTS "${BUILD_TESTING}")
 
+set(package_destination "${CMAKE_INSTALL_LIBDIR}/cmake/PointSurface")
 set(POINTSURFACE_TEST_OUTPUT "${CMAKE_BINARY_DIR}/Testing/Temporary")
 
 # The module's folder is the top folder: its second visit gets a binary folder of its own.
@@ -34,9 +37,9 @@ function (pointsurface_build)
     MODULES ${modules}
     PACKAGE PointSurface
     VERSION "${PointSurface_VERSION}"
-    SOVERSION "${PointSurface_VERSION_MAJOR}"
+    SOVERSION "${PointSurface_VERSION_MAJOR}.${PointSurface_VERSION_MINOR}"
     INSTALL_EXPORT PointSurface
-    CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/PointSurface"
+    CMAKE_DESTINATION "${package_destination}"
     HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/pointsurface"
     TEST_DATA_TARGET PointSurfaceData
     TEST_OUTPUT_DIRECTORY "${POINTSURFACE_TEST_OUTPUT}"
@@ -52,6 +55,16 @@ if (POINTSURFACE_WRAP_PYTHON)
   add_subdirectory(Python)
 endif ()
 
+# find_package(PointSurface)
+include(CMakePackageConfigHelpers)
+configure_package_config_file(CMake/PointSurfaceConfig.cmake.in PointSurfaceConfig.cmake
+  INSTALL_DESTINATION "${package_destination}"
+  NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(PointSurfaceConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/PointSurfaceConfig.cmake"
+  "${CMAKE_CURRENT_BINARY_DIR}/PointSurfaceConfigVersion.cmake"
+  DESTINATION "${package_destination}")
+
 if (BUILD_TESTING)
   file(MAKE_DIRECTORY "${POINTSURFACE_TEST_OUTPUT}")
   set(shared_data "../shared/data")
@@ -61,4 +74,5 @@ if (BUILD_TESTING)
   if (POINTSURFACE_WRAP_PYTHON)
     add_subdirectory(Testing/Python)
   endif ()
+  include(PointSurfaceInstallTests)
 endif ()

@@ -16,12 +16,6 @@
 #include "vtk_glew.h"
 #endif
 
-// Before 9.4 VTK chooses its OpenGL window when it is built (Debian: GLX); from then on when it
-// runs.
-#if !VTK_POINT_SURFACE_VERSION_AT_LEAST(9, 4)
-#define VTK_POINT_SURFACE_NEEDS_EGL_WINDOW
-#endif
-
 // The vertex attribute that carries scalars to be mapped by texture
 // (InterpolateScalarsBeforeMapping).
 #if VTK_POINT_SURFACE_VERSION_AT_LEAST(9, 3)

@@ -1,0 +1,9 @@
+#!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Scripts/test.sh [ARGUMENTS OF CTEST]: installs what is missing, builds, and runs all tests (-R NAME: some of them).
+# shellcheck source=lib.sh
+. "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+
+install_packages "${build_packages[@]}" python3-pytest -- xvfb
+build
+exec ctest --test-dir "$build_dir" -j2 --output-on-failure "$@"
