@@ -1,0 +1,1004 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIsosurfacePoints.h"
+
+#include "vtkArrayListTemplate.h" // For processing attribute data
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProgressFor.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <atomic>
+#include <bitset>
+#include <cfloat>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#ifdef _MSC_VER
+#include <intrin.h>
+#endif
+
+vtkStandardNewMacro(vtkIsosurfacePoints);
+
+namespace
+{
+//------------------------------------------------------------------------------
+// One bit a voxel: whether an edge of the grid is crossed is asked for 64 voxels at a time.
+using Word = std::uint64_t;
+constexpr int WordBits = 64;
+
+int CountBits(Word word)
+{
+  return static_cast<int>(std::bitset<WordBits>(word).count());
+}
+
+int LowestBit(Word word)
+{
+#ifdef _MSC_VER
+  unsigned long bit;
+  _BitScanForward64(&bit, word);
+  return static_cast<int>(bit);
+#else
+  return __builtin_ctzll(word);
+#endif
+}
+
+// The bits of word `w` of a row that stand for voxels before `end`.
+Word BitsBefore(int end, int w)
+{
+  const int count = end - w * WordBits;
+  return count >= WordBits ? ~Word(0) : count <= 0 ? Word(0) : (Word(1) << count) - 1;
+}
+
+// A word moved by one voxel, so that bit i tells of voxel i + 1.
+Word NextVoxels(Word word, Word nextWord)
+{
+  return (word >> 1) | (nextWord << (WordBits - 1));
+}
+
+// Packs 64 bytes of 0 or 1.
+Word Pack(const unsigned char bytes[WordBits])
+{
+  Word word = 0;
+  for (int octet = 0; octet < 8; ++octet)
+  {
+    Word bits = 0;
+    for (int i = 0; i < 8; ++i)
+    {
+      bits |= static_cast<Word>(bytes[8 * octet + i]) << i;
+    }
+    word |= bits << (8 * octet);
+  }
+  return word;
+}
+
+//------------------------------------------------------------------------------
+// The image as a grid of voxels counted from 0.
+struct Grid
+{
+  int Dims[3];
+  vtkIdType Step[3]; // from a voxel to the next along an axis, in the array
+  double Corner[3];  // the first voxel, physical
+  double Axes[3][3]; // one step along each axis, physical
+  double AxesInverse[3][3];
+  double LargestCoordinate;
+  double SmallestSpacing;
+
+  // False when the axes do not span space.
+  bool Initialize(vtkImageData* image)
+  {
+    const int* extent = image->GetExtent();
+    vtkMatrix4x4* toPhysical = image->GetIndexToPhysicalMatrix();
+    const double first[4] = { double(extent[0]), double(extent[2]), double(extent[4]), 1.0 };
+    double corner[4];
+    toPhysical->MultiplyPoint(first, corner);
+    double matrix[3][3];
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Dims[c] = extent[2 * c + 1] - extent[2 * c] + 1;
+      this->Corner[c] = corner[c];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        matrix[c][axis] = this->Axes[axis][c] = toPhysical->GetElement(c, axis);
+      }
+    }
+    this->Step[0] = 1;
+    this->Step[1] = this->Dims[0];
+    this->Step[2] = this->Step[1] * this->Dims[1];
+    this->SmallestSpacing = std::min(
+      { vtkMath::Norm(this->Axes[0]), vtkMath::Norm(this->Axes[1]), vtkMath::Norm(this->Axes[2]) });
+    double bounds[6];
+    image->GetBounds(bounds);
+    this->LargestCoordinate = 0.0;
+    for (double bound : bounds)
+    {
+      this->LargestCoordinate = std::max(this->LargestCoordinate, std::abs(bound));
+    }
+    if (vtkMath::Determinant3x3(matrix) == 0.0)
+    {
+      return false;
+    }
+    vtkMath::Invert3x3(matrix, this->AxesInverse);
+    return true;
+  }
+
+  vtkIdType Voxel(const int ijk[3]) const
+  {
+    return ijk[0] + ijk[1] * this->Step[1] + ijk[2] * this->Step[2];
+  }
+
+  vtkIdType NumberOfRows() const { return vtkIdType(this->Dims[1]) * this->Dims[2]; }
+};
+
+//------------------------------------------------------------------------------
+// A crossing: where the surface meets the edge from a voxel to the next along an axis.
+struct Crossing
+{
+  int Voxel[3];
+  int Axis;
+  double T; // along the edge, from 0 to 1
+
+  bool SameEdge(const Crossing& other) const
+  {
+    return this->Axis == other.Axis && std::equal(this->Voxel, this->Voxel + 3, other.Voxel);
+  }
+};
+
+// Where the points of all isosurfaces go.
+struct Output
+{
+  vtkPoints* Points;
+  vtkFloatArray* Normals;
+  vtkFloatArray* Radii;
+  vtkDoubleArray* Scalars; // or null
+  ArrayList* Attributes;   // or null
+
+  void SetNumberOfPoints(vtkIdType count)
+  {
+    // Resize() keeps what earlier isovalues have written.
+    for (vtkDataArray* array : { this->Points->GetData(), static_cast<vtkDataArray*>(this->Normals),
+           static_cast<vtkDataArray*>(this->Radii), static_cast<vtkDataArray*>(this->Scalars) })
+    {
+      if (array)
+      {
+        array->Resize(count);
+        array->SetNumberOfTuples(count);
+      }
+    }
+    if (this->Attributes)
+    {
+      this->Attributes->Realloc(count);
+    }
+  }
+};
+
+//------------------------------------------------------------------------------
+// Samples isosurfaces of one array, one isovalue after the other, in three threaded passes over
+// slices: mark the voxels inside, count the points of each row, write them. Threads share nothing
+// that they write, and what a row gives depends on the data alone.
+template <typename T>
+class Sampler
+{
+public:
+  Sampler(const Grid& grid, const T* values, Output& output, bool flipNormals)
+    : G(grid)
+    , Values(values)
+    , Out(output)
+    , NormalSign(flipNormals ? 1.0 : -1.0)
+    , RowWords((grid.Dims[0] + WordBits - 1) / WordBits)
+    , Inside((this->RowWords + 1) * grid.NumberOfRows())
+    , RowStart(grid.NumberOfRows() + 1)
+    , SinglePrecision(output.Points->GetDataType() == VTK_FLOAT)
+  {
+    const double resolution =
+      (this->SinglePrecision ? FLT_EPSILON : DBL_EPSILON) * grid.LargestCoordinate;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Near[axis] = std::min(0.25, 4.0 * resolution / vtkMath::Norm(grid.Axes[axis]));
+    }
+  }
+
+  // Marks the voxels that are finite and returns how many are not.
+  vtkIdType FindNotFinite(vtkAlgorithm* filter);
+
+  // Adds the points of an isosurface to the output. False when aborted.
+  bool Sample(vtkAlgorithm* filter, double isovalue, double progress, double progressEnd);
+
+private:
+  // Values of these types are compared and interpolated in single precision without loss of a
+  // decision; for the others double is needed.
+  static constexpr bool Small = sizeof(T) <= 4;
+  using Real = typename std::conditional<Small, float, double>::type;
+
+  struct Crossings
+  {
+    Word Axis[3];
+  };
+
+  const Grid& G;
+  const T* Values;
+  Output& Out;
+  double NormalSign;
+  int RowWords;
+  std::vector<Word> Inside; // rows of RowWords words and one empty one
+  std::vector<Word> Finite; // likewise; empty when all are
+  std::vector<vtkIdType> RowStart;
+  bool SinglePrecision;
+  double Near[3]; // crossings this close to a voxel may be equal once rounded
+  double Isovalue = 0.0;
+
+  vtkIdType Row(int j, int k) const { return j + vtkIdType(k) * this->G.Dims[1]; }
+  const Word* InsideRow(int j, int k) const
+  {
+    return this->Inside.data() + (this->RowWords + 1) * this->Row(j, k);
+  }
+  Word FiniteWord(int j, int k, int w) const
+  {
+    return this->Finite.empty() ? BitsBefore(this->G.Dims[0], w)
+                                : this->Finite[(this->RowWords + 1) * this->Row(j, k) + w];
+  }
+  vtkIdType SlicesPerBatch() const
+  {
+    const vtkIdType batchVoxels = vtkIdType(1) << 24;
+    const vtkIdType threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+    return threads * std::max<vtkIdType>(1, batchVoxels / this->G.Step[2]);
+  }
+
+  template <typename Predicate>
+  void MarkRow(const T* values, Word* row, Predicate predicate) const;
+  void MarkInside(int k);
+  void CountRows(int k);
+  void WriteSlices(int begin, int end) const;
+  void WriteRow(int j, int k, const float* centresBelow, const float* centresAbove) const;
+  void WritePoint(vtkIdType id, const Crossing& crossing, const double gradient[3],
+    const float* centresBelow, const float* centresAbove) const;
+
+  Crossings RowCrossings(int j, int k, int w) const;
+  bool IsCrossed(const int voxel[3], int axis) const;
+  double Interpolate(vtkIdType voxel, int axis) const;
+  void Position(const Crossing& crossing, double x[3]) const;
+  bool IsNearVoxel(const Crossing& crossing) const;
+  int FindCoincident(const Crossing& crossing, Crossing coincident[6]) const;
+  bool IsWritten(const Crossing& crossing) const;
+  double Difference(const T* value, int index, int axis) const;
+  void Gradient(const int ijk[3], double gradient[3]) const;
+  void CellCentres(int k, float* centres) const;
+  void CellCentre(const T* value, float centre[3]) const;
+  double Radius(const Crossing& crossing, int k, const float* below, const float* above) const;
+};
+
+//------------------------------------------------------------------------------
+template <typename T>
+template <typename Predicate>
+void Sampler<T>::MarkRow(const T* values, Word* row, Predicate predicate) const
+{
+  unsigned char bytes[WordBits];
+  for (int w = 0; w < this->RowWords; ++w, values += WordBits)
+  {
+    const int count = std::min(WordBits, this->G.Dims[0] - w * WordBits);
+    if (count < WordBits)
+    {
+      std::fill_n(bytes, WordBits, static_cast<unsigned char>(0));
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      bytes[i] = predicate(values[i]);
+    }
+    row[w] = Pack(bytes);
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+vtkIdType Sampler<T>::FindNotFinite(vtkAlgorithm* filter)
+{
+  if (!std::is_floating_point<T>::value)
+  {
+    return 0;
+  }
+  this->Finite.resize(this->Inside.size());
+  std::atomic<vtkIdType> finite(0);
+  vtkProgressFor(filter, this->G.Dims[2], this->SlicesPerBatch(), 0.0, 0.1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkIdType count = 0;
+      for (vtkIdType row = begin * this->G.Dims[1]; row < end * this->G.Dims[1]; ++row)
+      {
+        Word* words = this->Finite.data() + (this->RowWords + 1) * row;
+        this->MarkRow(this->Values + row * this->G.Step[1], words,
+          [](T value) { return value - value == 0; });
+        for (int w = 0; w < this->RowWords; ++w)
+        {
+          count += CountBits(words[w]);
+        }
+      }
+      finite += count;
+    });
+  const vtkIdType notFinite = this->G.Step[2] * this->G.Dims[2] - finite;
+  if (notFinite == 0)
+  {
+    this->Finite.clear();
+  }
+  return notFinite;
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+void Sampler<T>::MarkInside(int k)
+{
+  for (int j = 0; j < this->G.Dims[1]; ++j)
+  {
+    const vtkIdType row = this->Row(j, k);
+    const double isovalue = this->Isovalue;
+    this->MarkRow(this->Values + row * this->G.Step[1],
+      this->Inside.data() + (this->RowWords + 1) * row,
+      [isovalue](T value) { return static_cast<double>(value) >= isovalue; });
+  }
+}
+
+//------------------------------------------------------------------------------
+// The edges from the voxels of a word to their next along each axis that are crossed.
+template <typename T>
+typename Sampler<T>::Crossings Sampler<T>::RowCrossings(int j, int k, int w) const
+{
+  const Word* row = this->InsideRow(j, k);
+  const Word inside = row[w];
+  const Word finite = this->FiniteWord(j, k, w);
+  Crossings crossings = { { (inside ^ NextVoxels(inside, row[w + 1])) & finite &
+      NextVoxels(finite, this->FiniteWord(j, k, w + 1)),
+    0, 0 } };
+  if (j + 1 < this->G.Dims[1])
+  {
+    crossings.Axis[1] =
+      (inside ^ this->InsideRow(j + 1, k)[w]) & finite & this->FiniteWord(j + 1, k, w);
+  }
+  if (k + 1 < this->G.Dims[2])
+  {
+    crossings.Axis[2] =
+      (inside ^ this->InsideRow(j, k + 1)[w]) & finite & this->FiniteWord(j, k + 1, w);
+  }
+  return crossings;
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+void Sampler<T>::CountRows(int k)
+{
+  for (int j = 0; j < this->G.Dims[1]; ++j)
+  {
+    vtkIdType count = 0;
+    for (int w = 0; w < this->RowWords; ++w)
+    {
+      const Crossings crossings = this->RowCrossings(j, k, w);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        for (Word bits = crossings.Axis[axis]; bits; bits &= bits - 1)
+        {
+          Crossing crossing = { { w * WordBits + LowestBit(bits), j, k }, axis, 0.0 };
+          crossing.T = this->Interpolate(this->G.Voxel(crossing.Voxel), axis);
+          count += this->IsWritten(crossing);
+        }
+      }
+    }
+    this->RowStart[this->Row(j, k) + 1] = count;
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+double Sampler<T>::Interpolate(vtkIdType voxel, int axis) const
+{
+  const double a = static_cast<double>(this->Values[voxel]) - this->Isovalue;
+  const double b = static_cast<double>(this->Values[voxel + this->G.Step[axis]]) - this->Isovalue;
+  // The order of the arguments turns an undefined quotient of overflowed differences into 0.
+  return std::min(1.0, std::max(0.0, a / (a - b)));
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+void Sampler<T>::Position(const Crossing& crossing, double x[3]) const
+{
+  // Summing the index first makes crossings at a voxel equal whichever side they come from.
+  double index[3] = { double(crossing.Voxel[0]), double(crossing.Voxel[1]),
+    double(crossing.Voxel[2]) };
+  index[crossing.Axis] += crossing.T;
+  for (int c = 0; c < 3; ++c)
+  {
+    x[c] = this->G.Corner[c] + index[0] * this->G.Axes[0][c] + index[1] * this->G.Axes[1][c] +
+      index[2] * this->G.Axes[2][c];
+    if (this->SinglePrecision)
+    {
+      x[c] = static_cast<float>(x[c]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+bool Sampler<T>::IsNearVoxel(const Crossing& crossing) const
+{
+  const double near = this->Near[crossing.Axis];
+  return crossing.T <= near || crossing.T >= 1.0 - near;
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+bool Sampler<T>::IsCrossed(const int voxel[3], int axis) const
+{
+  if (voxel[axis] < 0 || voxel[axis] + 1 >= this->G.Dims[axis])
+  {
+    return false;
+  }
+  const vtkIdType first = this->G.Voxel(voxel);
+  const double a = static_cast<double>(this->Values[first]);
+  const double b = static_cast<double>(this->Values[first + this->G.Step[axis]]);
+  return std::isfinite(a) && std::isfinite(b) && (a >= this->Isovalue) != (b >= this->Isovalue);
+}
+
+//------------------------------------------------------------------------------
+// The crossings about the voxel that this one is near to and that have the same position in the
+// output, itself among them. Edges along z come last and the upper one before the lower: so the
+// first crossing is found with all cells about the voxel at hand in WriteSlices().
+template <typename T>
+int Sampler<T>::FindCoincident(const Crossing& crossing, Crossing coincident[6]) const
+{
+  double x[3];
+  this->Position(crossing, x);
+  int corner[3] = { crossing.Voxel[0], crossing.Voxel[1], crossing.Voxel[2] };
+  corner[crossing.Axis] += crossing.T > 0.5;
+  int count = 0;
+  for (int edge = 0; edge < 6; ++edge)
+  {
+    const int axis = edge / 2;
+    Crossing other = { { corner[0], corner[1], corner[2] }, axis, 0.0 };
+    other.Voxel[axis] -= edge % 2;
+    if (!this->IsCrossed(other.Voxel, axis))
+    {
+      continue;
+    }
+    other.T = this->Interpolate(this->G.Voxel(other.Voxel), axis);
+    double y[3];
+    this->Position(other, y);
+    if (std::equal(x, x + 3, y))
+    {
+      coincident[count++] = other;
+    }
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+bool Sampler<T>::IsWritten(const Crossing& crossing) const
+{
+  if (!this->IsNearVoxel(crossing))
+  {
+    return true;
+  }
+  Crossing coincident[6];
+  this->FindCoincident(crossing, coincident);
+  return coincident[0].SameEdge(crossing);
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+double Sampler<T>::Difference(const T* value, int index, int axis) const
+{
+  const vtkIdType step = this->G.Step[axis];
+  const bool hasLower = index > 0;
+  const bool hasUpper = index + 1 < this->G.Dims[axis];
+  const double here = static_cast<double>(*value);
+  const double lower = hasLower ? static_cast<double>(value[-step]) : here;
+  const double upper = hasUpper ? static_cast<double>(value[step]) : here;
+  const double difference = (hasLower && hasUpper ? 0.5 : 1.0) * (upper - lower);
+  if (std::is_floating_point<T>::value && !std::isfinite(difference))
+  {
+    return std::isfinite(upper) ? upper - here : std::isfinite(lower) ? here - lower : 0.0;
+  }
+  return difference;
+}
+
+//------------------------------------------------------------------------------
+// In differences a voxel, not yet physical.
+template <typename T>
+void Sampler<T>::Gradient(const int ijk[3], double gradient[3]) const
+{
+  const T* value = this->Values + this->G.Voxel(ijk);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    gradient[axis] = this->Difference(value, ijk[axis], axis);
+  }
+}
+
+//------------------------------------------------------------------------------
+// The mean of the crossings of a cell, in steps of the grid from the cell's first voxel.
+template <typename T>
+void Sampler<T>::CellCentre(const T* value, float centre[3]) const
+{
+  Real corner[8]; // bit a of the index: the upper one along axis a
+  Real inside[8];
+  Real finite[8];
+  for (int c = 0; c < 8; ++c)
+  {
+    const vtkIdType offset =
+      (c & 1) + ((c & 2) ? this->G.Step[1] : 0) + ((c & 4) ? this->G.Step[2] : 0);
+    const double difference = static_cast<double>(value[offset]) - this->Isovalue;
+    corner[c] = static_cast<Real>(0.5 * difference); // half, since floats may overflow otherwise
+    inside[c] = difference >= 0.0;
+    finite[c] = !std::is_floating_point<T>::value || std::isfinite(difference);
+  }
+  static const int first[3][4] = { { 0, 2, 4, 6 }, { 0, 1, 4, 5 }, { 0, 1, 2, 3 } };
+  Real count = 0;
+  Real sum[3] = { 0, 0, 0 };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int next = (axis + 1) % 3;
+    const int last = (axis + 2) % 3;
+    for (int edge = 0; edge < 4; ++edge)
+    {
+      const int a = first[axis][edge];
+      const int b = a + (1 << axis);
+      if (inside[a] != inside[b] && finite[a] && finite[b])
+      {
+        count += 1;
+        sum[axis] += corner[a] / (corner[a] - corner[b]);
+        sum[next] += (a >> next) & 1;
+        sum[last] += (a >> last) & 1;
+      }
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    centre[axis] = static_cast<float>(sum[axis] / count);
+  }
+}
+
+//------------------------------------------------------------------------------
+// For the cells between slices k and k + 1; those that the surface does not cross are left alone.
+template <typename T>
+void Sampler<T>::CellCentres(int k, float* centres) const
+{
+  const int cells = this->G.Dims[0] - 1;
+  for (int j = 0; j + 1 < this->G.Dims[1]; ++j, centres += 3 * cells)
+  {
+    const Word* rows[4] = { this->InsideRow(j, k), this->InsideRow(j + 1, k),
+      this->InsideRow(j, k + 1), this->InsideRow(j + 1, k + 1) };
+    const T* values = this->Values + this->Row(j, k) * this->G.Step[1];
+    for (int w = 0; w < this->RowWords; ++w)
+    {
+      const Word any = rows[0][w] | rows[1][w] | rows[2][w] | rows[3][w];
+      const Word all = rows[0][w] & rows[1][w] & rows[2][w] & rows[3][w];
+      const Word anyNext = rows[0][w + 1] | rows[1][w + 1] | rows[2][w + 1] | rows[3][w + 1];
+      const Word allNext = rows[0][w + 1] & rows[1][w + 1] & rows[2][w + 1] & rows[3][w + 1];
+      const Word crossed = (any | NextVoxels(any, anyNext)) & ~(all & NextVoxels(all, allNext));
+      for (Word bits = crossed & BitsBefore(cells, w); bits; bits &= bits - 1)
+      {
+        const int i = w * WordBits + LowestBit(bits);
+        this->CellCentre(values + i, centres + 3 * i);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+double Sampler<T>::Radius(
+  const Crossing& crossing, int k, const float* below, const float* above) const
+{
+  const int b = (crossing.Axis + 1) % 3;
+  const int c = (crossing.Axis + 2) % 3;
+  double largest = 0.0;
+  for (int side = 0; side < 4; ++side)
+  {
+    int cell[3] = { crossing.Voxel[0], crossing.Voxel[1], crossing.Voxel[2] };
+    cell[b] -= side & 1;
+    cell[c] -= side >> 1;
+    if (cell[b] < 0 || cell[c] < 0 || cell[b] + 1 >= this->G.Dims[b] ||
+      cell[c] + 1 >= this->G.Dims[c])
+    {
+      continue;
+    }
+    const float* centre =
+      (cell[2] < k ? below : above) + 3 * (cell[0] + cell[1] * vtkIdType(this->G.Dims[0] - 1));
+    double d[3];
+    d[crossing.Axis] = crossing.T - centre[crossing.Axis];
+    d[b] = (side & 1) - centre[b];
+    d[c] = (side >> 1) - centre[c];
+    double distance2 = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const double x =
+        d[0] * this->G.Axes[0][i] + d[1] * this->G.Axes[1][i] + d[2] * this->G.Axes[2][i];
+      distance2 += x * x;
+    }
+    largest = std::max(largest, distance2);
+  }
+  return std::sqrt(largest);
+}
+
+//------------------------------------------------------------------------------
+// Scales to a length of 1; false when that is not possible.
+bool Normalize(double v[3])
+{
+  // Squares of lengths beyond these overflow or lose digits.
+  const double largest = std::max({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
+  if (!(largest > 0.0) || !std::isfinite(largest))
+  {
+    return false;
+  }
+  if (largest < 1e-140 || largest > 1e140)
+  {
+    vtkMath::MultiplyScalar(v, 1.0 / largest);
+  }
+  vtkMath::MultiplyScalar(v, 1.0 / std::sqrt(vtkMath::Dot(v, v)));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+void Sampler<T>::WritePoint(vtkIdType id, const Crossing& crossing, const double gradient[3],
+  const float* centresBelow, const float* centresAbove) const
+{
+  const int k = crossing.Voxel[2];
+  double radius = this->Radius(crossing, k, centresBelow, centresAbove);
+  if (this->IsNearVoxel(crossing))
+  {
+    Crossing coincident[6];
+    const int count = this->FindCoincident(crossing, coincident);
+    for (int other = 1; other < count; ++other)
+    {
+      radius = std::max(radius, this->Radius(coincident[other], k, centresBelow, centresAbove));
+    }
+  }
+
+  int ijk[3] = { crossing.Voxel[0], crossing.Voxel[1], crossing.Voxel[2] };
+  const vtkIdType voxel = this->G.Voxel(ijk);
+  ++ijk[crossing.Axis];
+  double next[3];
+  this->Gradient(ijk, next);
+  double g[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    g[axis] = gradient[axis] + crossing.T * (next[axis] - gradient[axis]);
+  }
+  double normal[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    normal[c] = this->NormalSign *
+      (g[0] * this->G.AxesInverse[0][c] + g[1] * this->G.AxesInverse[1][c] +
+        g[2] * this->G.AxesInverse[2][c]);
+  }
+  if (!Normalize(normal))
+  {
+    const bool outward = static_cast<double>(this->Values[voxel]) >= this->Isovalue;
+    std::copy_n(this->G.Axes[crossing.Axis], 3, normal);
+    vtkMath::MultiplyScalar(normal, outward ? -this->NormalSign : this->NormalSign);
+    Normalize(normal);
+  }
+
+  double x[3];
+  this->Position(crossing, x);
+  void* points = this->Out.Points->GetVoidPointer(0);
+  for (int c = 0; c < 3; ++c)
+  {
+    if (this->SinglePrecision)
+    {
+      static_cast<float*>(points)[3 * id + c] = static_cast<float>(x[c]);
+    }
+    else
+    {
+      static_cast<double*>(points)[3 * id + c] = x[c];
+    }
+    this->Out.Normals->GetPointer(3 * id)[c] = static_cast<float>(normal[c]);
+  }
+  *this->Out.Radii->GetPointer(id) = static_cast<float>(radius);
+  if (this->Out.Scalars)
+  {
+    *this->Out.Scalars->GetPointer(id) = this->Isovalue;
+  }
+  if (this->Out.Attributes)
+  {
+    this->Out.Attributes->InterpolateEdge(
+      voxel, voxel + this->G.Step[crossing.Axis], crossing.T, id);
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+void Sampler<T>::WriteRow(int j, int k, const float* centresBelow, const float* centresAbove) const
+{
+  vtkIdType id = this->RowStart[this->Row(j, k)];
+  for (int w = 0; w < this->RowWords; ++w)
+  {
+    const Crossings crossings = this->RowCrossings(j, k, w);
+    Word bits = crossings.Axis[0] | crossings.Axis[1] | crossings.Axis[2];
+    for (; bits; bits &= bits - 1)
+    {
+      const int bit = LowestBit(bits);
+      Crossing crossing = { { w * WordBits + bit, j, k }, 0, 0.0 };
+      double gradient[3];
+      this->Gradient(crossing.Voxel, gradient);
+      for (crossing.Axis = 0; crossing.Axis < 3; ++crossing.Axis)
+      {
+        if (!((crossings.Axis[crossing.Axis] >> bit) & 1))
+        {
+          continue;
+        }
+        crossing.T = this->Interpolate(this->G.Voxel(crossing.Voxel), crossing.Axis);
+        if (this->IsWritten(crossing))
+        {
+          this->WritePoint(id++, crossing, gradient, centresBelow, centresAbove);
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+void Sampler<T>::WriteSlices(int begin, int end) const
+{
+  const vtkIdType size = 3 * vtkIdType(this->G.Dims[0] - 1) * (this->G.Dims[1] - 1);
+  std::unique_ptr<float[]> below(new float[size]);
+  std::unique_ptr<float[]> above(new float[size]);
+  if (begin > 0)
+  {
+    this->CellCentres(begin - 1, below.get());
+  }
+  for (int k = begin; k < end; ++k, below.swap(above))
+  {
+    if (k + 1 < this->G.Dims[2])
+    {
+      this->CellCentres(k, above.get());
+    }
+    for (int j = 0; j < this->G.Dims[1]; ++j)
+    {
+      this->WriteRow(j, k, below.get(), above.get());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+bool Sampler<T>::Sample(vtkAlgorithm* filter, double isovalue, double progress, double progressEnd)
+{
+  this->Isovalue = isovalue;
+  const vtkIdType slices = this->G.Dims[2];
+  const vtkIdType batch = this->SlicesPerBatch();
+  const double third = (progressEnd - progress) / 3.0;
+  if (!vtkProgressFor(filter, slices, batch, progress, progress + third,
+        [this](vtkIdType begin, vtkIdType end)
+        {
+          for (; begin < end; ++begin)
+          {
+            this->MarkInside(static_cast<int>(begin));
+          }
+        }) ||
+    !vtkProgressFor(filter, slices, batch, progress + third, progress + 2.0 * third,
+      [this](vtkIdType begin, vtkIdType end)
+      {
+        for (; begin < end; ++begin)
+        {
+          this->CountRows(static_cast<int>(begin));
+        }
+      }))
+  {
+    return false;
+  }
+  this->RowStart[0] = this->Out.Points->GetNumberOfPoints();
+  for (std::size_t row = 1; row < this->RowStart.size(); ++row)
+  {
+    this->RowStart[row] += this->RowStart[row - 1];
+  }
+  this->Out.SetNumberOfPoints(this->RowStart.back());
+  return vtkProgressFor(filter, slices, batch, progress + 2.0 * third, progressEnd,
+    [this](vtkIdType begin, vtkIdType end)
+    { this->WriteSlices(static_cast<int>(begin), static_cast<int>(end)); });
+}
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+vtkIsosurfacePoints::vtkIsosurfacePoints()
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkIsosurfacePoints::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->ContourValues->GetMTime());
+}
+
+//------------------------------------------------------------------------------
+int vtkIsosurfacePoints::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+std::string NameOf(vtkAbstractArray* array)
+{
+  return array->GetName() ? std::string("array '") + array->GetName() + "'" : "the unnamed array";
+}
+
+// One component of an array as a plain C array: the array itself where it is that already.
+vtkSmartPointer<vtkDataArray> PlainComponent(vtkDataArray* array, int component)
+{
+  const bool isBit = array->GetDataType() == VTK_BIT;
+  if (array->HasStandardMemoryLayout() && array->GetNumberOfComponents() == 1 && !isBit)
+  {
+    return array;
+  }
+  auto plain = vtk::TakeSmartPointer(
+    vtkDataArray::CreateDataArray(isBit ? VTK_UNSIGNED_CHAR : array->GetDataType()));
+  plain->SetNumberOfTuples(array->GetNumberOfTuples());
+  plain->CopyComponent(0, array, component);
+  return plain;
+}
+
+template <typename T>
+bool SampleAll(vtkIsosurfacePoints* self, const Grid& grid, const T* values,
+  const std::vector<double>& isovalues, Output& output, vtkIdType& notFinite)
+{
+  Sampler<T> sampler(grid, values, output, self->GetFlipNormals());
+  notFinite = sampler.FindNotFinite(self);
+  const double share = 0.9 / isovalues.size();
+  double progress = 0.1;
+  for (double isovalue : isovalues)
+  {
+    if (self->GetAbortExecute() || !sampler.Sample(self, isovalue, progress, progress + share))
+    {
+      return false;
+    }
+    progress += share;
+  }
+  return true;
+}
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+int vtkIsosurfacePoints::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkImageData* input = vtkImageData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+
+  // Each fault in the input ends in one error and an empty output.
+  if (input->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  int dims[3];
+  input->GetDimensions(dims);
+  if (*std::min_element(dims, dims + 3) < 2)
+  {
+    vtkErrorMacro("The image is " << dims[0] << " x " << dims[1] << " x " << dims[2]
+                                  << " voxels; an isosurface needs 2 or more in each direction. "
+                                     "For contour lines of a slice use vtkFlyingEdges2D.");
+    return 1;
+  }
+  Grid grid;
+  if (!grid.Initialize(input))
+  {
+    vtkErrorMacro("The spacing and direction matrix of the image span no volume; give it a spacing "
+                  "above 0 along each axis.");
+    return 1;
+  }
+  vtkDataArray* array = this->GetInputArrayToProcess(0, inputVector);
+  if (!array)
+  {
+    vtkErrorMacro("The image has no such point data array to contour; make an array its active "
+                  "scalars or name one by SetInputArrayToProcess.");
+    return 1;
+  }
+  if (array->GetNumberOfTuples() != input->GetNumberOfPoints())
+  {
+    vtkErrorMacro(<< NameOf(array) << " has " << array->GetNumberOfTuples() << " values for "
+                  << input->GetNumberOfPoints()
+                  << " voxels; give it one a voxel (cell data: see vtkCellDataToPointData).");
+    return 1;
+  }
+  if (this->ArrayComponent < 0 || this->ArrayComponent >= array->GetNumberOfComponents())
+  {
+    vtkErrorMacro("ArrayComponent is " << this->ArrayComponent << ", but " << NameOf(array)
+                                       << " has " << array->GetNumberOfComponents()
+                                       << " components, counted from 0.");
+    return 1;
+  }
+  std::vector<double> isovalues(this->GetValues(), this->GetValues() + this->GetNumberOfContours());
+  const auto finiteEnd = std::remove_if(
+    isovalues.begin(), isovalues.end(), [](double value) { return !std::isfinite(value); });
+  if (finiteEnd != isovalues.end())
+  {
+    vtkWarningMacro(<< isovalues.end() - finiteEnd
+                    << " isovalues are NaN or infinite and are skipped; set finite ones.");
+    isovalues.erase(finiteEnd, isovalues.end());
+  }
+
+  vtkNew<vtkPoints> points;
+  points->SetDataType(
+    this->OutputPointsPrecision == vtkAlgorithm::DOUBLE_PRECISION ? VTK_DOUBLE : VTK_FLOAT);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  normals->SetName("Normals");
+  vtkNew<vtkFloatArray> radii;
+  radii->SetName("radius");
+  vtkNew<vtkDoubleArray> scalars;
+  scalars->SetName(array->GetName());
+  ArrayList attributes;
+  if (this->InterpolateAttributes)
+  {
+    output->GetPointData()->InterpolateAllocate(input->GetPointData());
+    attributes.ExcludeArray(array);
+    attributes.AddArrays(0, input->GetPointData(), output->GetPointData());
+    output->GetPointData()->RemoveArray(array->GetName());
+  }
+  Output arrays = { points, normals, radii, this->ComputeScalars ? scalars.Get() : nullptr,
+    this->InterpolateAttributes ? &attributes : nullptr };
+
+  if (points->GetDataType() == VTK_FLOAT &&
+    FLT_EPSILON * grid.LargestCoordinate > 0.01 * grid.SmallestSpacing)
+  {
+    vtkWarningMacro("Coordinates of "
+      << grid.LargestCoordinate << " in single precision cannot tell hundredths of a voxel of "
+      << grid.SmallestSpacing
+      << " apart; use SetOutputPointsPrecision(DOUBLE_PRECISION) or "
+         "move the origin.");
+  }
+
+  vtkSmartPointer<vtkDataArray> plain = PlainComponent(array, this->ArrayComponent);
+  vtkIdType notFinite = 0;
+  bool finished = false;
+  switch (plain->GetDataType())
+  {
+    vtkTemplateMacro(
+      finished = SampleAll(
+        this, grid, static_cast<VTK_TT*>(plain->GetVoidPointer(0)), isovalues, arrays, notFinite));
+  }
+  if (notFinite > 0)
+  {
+    vtkWarningMacro(<< NameOf(array) << " has " << notFinite
+                    << " values that are NaN or infinite; edges that end in them give no points.");
+  }
+  if (!finished)
+  {
+    output->Initialize();
+    return 1;
+  }
+  output->SetPoints(points);
+  output->GetPointData()->SetNormals(normals);
+  output->GetPointData()->AddArray(radii);
+  if (this->ComputeScalars)
+  {
+    output->GetPointData()->SetScalars(scalars);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsosurfacePoints::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  this->ContourValues->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "ArrayComponent: " << this->ArrayComponent << "\n";
+  os << indent << "FlipNormals: " << (this->FlipNormals ? "On\n" : "Off\n");
+  os << indent << "ComputeScalars: " << (this->ComputeScalars ? "On\n" : "Off\n");
+  os << indent << "InterpolateAttributes: " << (this->InterpolateAttributes ? "On\n" : "Off\n");
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+}
