@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkPullPushMapper with all departures from the paper off, beside the double-precision reference,
+// from the same projected buffer: viewports of many sizes, perspective and parallel projection,
+// clouds with and without colours and with a radius for each point.
+
+#include "SurfaceBufferComparison.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMinimalStandardRandomSequence.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkPullPushMapper.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <cmath>
+#include <iostream>
+#include <string>
+
+namespace
+{
+/// Two spheres, one partly before the other, sampled at random; scalars; radii that vary.
+vtkNew<vtkPolyData> MakeCloud(int count)
+{
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(7);
+  auto next = [&]()
+  {
+    random->Next();
+    return random->GetValue();
+  };
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  normals->SetName("Normals");
+  vtkNew<vtkFloatArray> radii;
+  radii->SetName("radius");
+  vtkNew<vtkFloatArray> height;
+  height->SetName("height");
+  const double spacing = std::sqrt(4.0 * vtkMath::Pi() / count);
+  for (int i = 0; i < count; ++i)
+  {
+    const double z = 2.0 * next() - 1.0;
+    const double angle = 2.0 * vtkMath::Pi() * next();
+    const double r = std::sqrt(1.0 - z * z);
+    const double n[3] = { r * std::cos(angle), r * std::sin(angle), z };
+    const double size = i % 2 ? 1.0 : 0.5;
+    const double shift = i % 2 ? 0.0 : 1.1;
+    points->InsertNextPoint(
+      size * n[0] + 0.4 * shift, size * n[1] + 0.2 * shift, size * n[2] + shift);
+    normals->InsertNextTuple(n);
+    radii->InsertNextValue(static_cast<float>(2.0 * size * spacing * (1.0 + 0.4 * next())));
+    height->InsertNextValue(static_cast<float>(n[1]));
+  }
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  cloud->GetPointData()->SetNormals(normals);
+  cloud->GetPointData()->AddArray(radii);
+  cloud->GetPointData()->SetScalars(height);
+  return cloud;
+}
+
+struct Scene
+{
+  int Width, Height, Points;
+  bool Parallel, Colors;
+  double Zoom;
+};
+
+bool Compare(const Scene& scene)
+{
+  vtkNew<vtkPullPushMapper> mapper;
+  mapper->SetInputData(MakeCloud(scene.Points));
+  mapper->SetScalarRange(-1.0, 1.0);
+  mapper->SetScalarVisibility(scene.Colors);
+  mapper->DepthTestInPushOff();
+  mapper->RecordPointIdsOn();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->BackfaceCullingOn();
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(scene.Width, scene.Height);
+  window->AddRenderer(renderer);
+  renderer->ResetCamera();
+  renderer->GetActiveCamera()->SetParallelProjection(scene.Parallel);
+  renderer->GetActiveCamera()->Azimuth(20.0);
+  renderer->GetActiveCamera()->Zoom(scene.Zoom);
+  renderer->ResetCameraClippingRange();
+  window->Render();
+
+  vtkNew<vtkImageData> projected;
+  vtkNew<vtkImageData> surface;
+  if (!mapper->ReadProjectedBuffer(projected) || !mapper->ReadSurfaceBuffer(surface))
+  {
+    return false;
+  }
+  const SurfaceBufferComparison comparison(projected, surface);
+  std::cout << scene.Width << " x " << scene.Height << ", " << scene.Points << " points, "
+            << (scene.Parallel ? "parallel" : "perspective") << (scene.Colors ? ", colours" : "")
+            << ", zoom " << scene.Zoom << ": ";
+  comparison.Print(std::cout);
+  const bool agrees = comparison.Agrees();
+  if (!agrees)
+  {
+    std::cout << "DISAGREES\n";
+  }
+  return agrees;
+}
+}
+
+int TestPullPushAgreement(int, char*[])
+{
+  const Scene scenes[] = {
+    { 512, 512, 20000, false, true, 1.5 },
+    { 512, 512, 300, false, false, 1.5 },
+    { 513, 301, 5000, true, true, 1.5 },
+    { 257, 640, 5000, false, false, 6.0 },
+    { 64, 64, 100000, true, false, 1.5 },
+    { 33, 17, 2000, false, true, 1.5 },
+    { 3, 2, 2000, false, true, 1.5 },
+    { 1, 1, 2000, false, true, 1.5 },
+    { 1, 100, 2000, true, false, 1.5 },
+  };
+  bool all = true;
+  for (const Scene& scene : scenes)
+  {
+    all = Compare(scene) && all;
+  }
+  return all ? EXIT_SUCCESS : EXIT_FAILURE;
+}
