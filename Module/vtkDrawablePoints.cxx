@@ -119,6 +119,8 @@ void vtkDrawablePoints::SelectPoints(vtkPolyData* input)
   this->NumberOfDrawnPoints = drawn;
   if (drawn == 0)
   {
+    this->Cloud->SetPoints(vtkNew<vtkPoints>());
+    this->Cloud->GetPointData()->Initialize();
     this->Say(count == 0 ? "The input has no points: nothing is drawn."
                          : "None of the input's points has finite coordinates: nothing is drawn.");
     return;

@@ -166,15 +166,6 @@ void vtkPointSurfaceMapper::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSurfaceMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
-{
-  this->Superclass::RenderPiece(renderer, actor);
-  if (this->CurrentInput && this->CurrentInput->GetNumberOfPoints() == 0)
-  {
-    this->UpdateDrawablePoints(); // to say, once, that there is nothing to draw
-  }
-}
-
 void vtkPointSurfaceMapper::UpdateCameraShiftScale(vtkRenderer* renderer, vtkActor* actor)
 {
   // The first virtual function after the window is registered. When a mapper moves from one window
@@ -208,20 +199,24 @@ void vtkPointSurfaceMapper::UpdateDrawablePoints()
 void vtkPointSurfaceMapper::ComputeBounds()
 {
   vtkMath::UninitializeBounds(this->Bounds);
-  if (!this->GetInput() || !this->GetInput()->GetPoints())
+  if (!this->GetInput())
   {
     return;
   }
   // of all points, in cells or not; one component at a time, what is not finite left out
-  vtkDataArray* points = this->GetInput()->GetPoints()->GetData();
-  for (int k = 0; k < 3 && points->GetNumberOfTuples() > 0; ++k)
+  vtkPoints* points = this->GetInput()->GetPoints();
+  for (int k = 0; k < 3 && points && points->GetNumberOfPoints() > 0; ++k)
   {
     double range[2];
-    points->GetFiniteRange(range, k);
+    points->GetData()->GetFiniteRange(range, k);
     if (range[0] <= range[1])
     {
       std::copy_n(range, 2, this->Bounds + 2 * k);
     }
+  }
+  if (!vtkMath::AreBoundsInitialized(this->Bounds))
+  {
+    this->UpdateDrawablePoints(); // VTK will not render this; say why
   }
 }
 

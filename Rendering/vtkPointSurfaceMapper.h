@@ -118,7 +118,6 @@ public:
   vtkBooleanMacro(RecordPointIds, bool);
   ///@}
 
-  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:

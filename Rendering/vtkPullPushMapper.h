@@ -28,9 +28,9 @@ public:
 
   ///@{
   /**
-   * In the push phase too, average only pixels whose depth interval overlaps that of the frontmost
-   * one, as the pull phase does; the paper (section 3.3) averages all of them, which mixes two
-   * surfaces at their borders. Default on.
+   * In the push phase too, average only pixels near the frontmost one (within twice its depth
+   * interval), much as the pull phase does; the paper (section 3.3) averages all of them, which
+   * mixes two surfaces at their borders. Default on.
    */
   vtkSetMacro(DepthTestInPush, bool);
   vtkGetMacro(DepthTestInPush, bool);

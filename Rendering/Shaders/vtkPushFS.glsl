@@ -5,7 +5,7 @@ uniform ivec2 coarseEnd;
 uniform float fineSize;    // pixels of level 0 along a side of a fine pixel
 uniform vec4 pixelToEye;   // xy: eye units a pixel where w is 1; zw: w = z * depth + w
 uniform bool twoSided;     // normals may point to either side
-uniform bool depthTest;    // only what overlaps the frontmost interval is averaged (not in the paper)
+uniform bool depthTest;    // only what is near the frontmost interval is averaged (not in the paper)
 
 // Whether the ellipse of a coarse pixel, the orthogonal projection of its disc, holds the point
 // that is `offset` pixels of level 0 away from the ellipse's centre.
@@ -74,7 +74,8 @@ void main()
         if (depthTest && intervals[i].x < front)
         {
           front = intervals[i].x;
-          frontEnd = intervals[i].y;
+          // an interval is one radius long; a slanted surface runs through two from pixel to pixel
+          frontEnd = 2.0 * intervals[i].y - intervals[i].x;
         }
       }
     }

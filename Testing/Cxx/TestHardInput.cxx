@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Clouds that cannot be drawn as they are: each gives one message that names what is wrong, and a
+// frame, and the good cloud beside it is drawn as if the bad one were not there.
+
+#include "PointSurfaceTestUtilities.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPullPushMapper.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTestErrorObserver.h"
+
+#include <functional>
+#include <limits>
+#include <vector>
+
+using namespace PointSurfaceTest;
+
+namespace
+{
+const float NaN = std::numeric_limits<float>::quiet_NaN();
+const float Infinity = std::numeric_limits<float>::infinity();
+
+struct Case
+{
+  std::string Name;
+  std::function<void(vtkPolyData*, vtkPullPushMapper*)> Spoil;
+  std::string Message; // part of the warning that is expected; empty for none
+  bool Draws;          // whether the cloud shows all the same
+};
+
+vtkFloatArray* Radii(vtkPolyData* cloud)
+{
+  return vtkFloatArray::SafeDownCast(cloud->GetPointData()->GetArray("radius"));
+}
+
+void KeepPoints(vtkPolyData* cloud, vtkIdType count)
+{
+  cloud->GetPoints()->Resize(count);
+  cloud->GetPoints()->SetNumberOfPoints(count);
+  cloud->GetPointData()->GetNormals()->SetNumberOfTuples(count);
+  Radii(cloud)->SetNumberOfTuples(count);
+}
+
+std::vector<Case> GetCases()
+{
+  using Mapper = vtkPullPushMapper;
+  return {
+    { "a good cloud", [](vtkPolyData*, Mapper*) {}, "", true },
+    { "no points", [](vtkPolyData* c, Mapper*) { KeepPoints(c, 0); }, "no points", false },
+    { "one point", [](vtkPolyData* c, Mapper*) { KeepPoints(c, 1); }, "", true },
+    { "one point, a constant radius",
+      [](vtkPolyData* c, Mapper* m)
+      {
+        KeepPoints(c, 1);
+        m->SetRadius(0.2);
+      },
+      "", true },
+    { "two equal points, nothing else known",
+      [](vtkPolyData* c, Mapper*)
+      {
+        KeepPoints(c, 2);
+        c->GetPoints()->SetPoint(1, c->GetPoint(0));
+        c->GetPointData()->Initialize();
+      },
+      "", false },
+    { "NaN points",
+      [](vtkPolyData* c, Mapper*)
+      {
+        for (vtkIdType i = 0; i < c->GetNumberOfPoints(); i += 10)
+        {
+          c->GetPoints()->SetPoint(i, NaN, 0.0, 0.0);
+        }
+      },
+      "not finite", true },
+    { "an infinite point",
+      [](vtkPolyData* c, Mapper*) { c->GetPoints()->SetPoint(3, 0.0, Infinity, 0.0); },
+      "point 3: 0, inf, 0", true },
+    { "all points NaN",
+      [](vtkPolyData* c, Mapper*)
+      {
+        for (vtkIdType i = 0; i < c->GetNumberOfPoints(); ++i)
+        {
+          c->GetPoints()->SetPoint(i, NaN, NaN, NaN);
+        }
+      },
+      "None of the input's points has finite coordinates", false },
+    { "no normals", [](vtkPolyData* c, Mapper*) { c->GetPointData()->SetNormals(nullptr); }, "",
+      true },
+    { "zero normals", [](vtkPolyData* c, Mapper*) { c->GetPointData()->GetNormals()->Fill(0.0); },
+      "Array 'Normals' has 2000 normals that are zero", true },
+    { "a NaN normal",
+      [](vtkPolyData* c, Mapper*) { c->GetPointData()->GetNormals()->SetTuple3(5, NaN, 0.0, 1.0); },
+      "1 that are not finite (the first is of point 5)", true },
+    { "normals of no unit length",
+      [](vtkPolyData* c, Mapper*)
+      {
+        vtkDataArray* normals = c->GetPointData()->GetNormals();
+        for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
+        {
+          const double* n = normals->GetTuple3(i);
+          const double size = i % 2 ? 1e-6 : 1e6;
+          normals->SetTuple3(i, size * n[0], size * n[1], size * n[2]);
+        }
+      },
+      "", true },
+    { "a radius of zero", [](vtkPolyData* c, Mapper*) { Radii(c)->SetValue(7, 0.0f); },
+      "the first is 0 of point 7", true },
+    { "a negative radius", [](vtkPolyData* c, Mapper*) { Radii(c)->SetValue(7, -1.0f); },
+      "the first is -1 of point 7", true },
+    { "a NaN radius", [](vtkPolyData* c, Mapper*) { Radii(c)->SetValue(7, NaN); },
+      "1 of 2000 radii in array 'radius' are not positive and finite", true },
+    { "all radii zero", [](vtkPolyData* c, Mapper*) { Radii(c)->Fill(0.0); },
+      "radii are estimated instead", true },
+    { "a huge radius", [](vtkPolyData* c, Mapper*) { Radii(c)->SetValue(7, 1e30f); },
+      "larger than the whole cloud", true },
+    { "an array that is not there", [](vtkPolyData*, Mapper* m) { m->SetRadiusArray("thickness"); },
+      "no point array 'thickness'", true },
+    { "an array of normals as radii", [](vtkPolyData*, Mapper* m) { m->SetRadiusArray("Normals"); },
+      "values of 3 components", true },
+    { "too few radii", [](vtkPolyData* c, Mapper*) { Radii(c)->SetNumberOfTuples(10); },
+      "Array 'radius' has 10 values", true },
+    { "too few normals",
+      [](vtkPolyData* c, Mapper*) { c->GetPointData()->GetNormals()->SetNumberOfTuples(10); },
+      "Array 'Normals' has 10 normals", true },
+    { "the eye amid the points",
+      [](vtkPolyData* c, Mapper*)
+      {
+        for (vtkIdType i = 0; i < c->GetNumberOfPoints(); ++i)
+        {
+          double* x = c->GetPoint(i);
+          c->GetPoints()->SetPoint(i, 50.0 * x[0], 50.0 * x[1], 50.0 * x[2]);
+        }
+      },
+      "", true },
+  };
+}
+
+/// Pixels of the surface buffer with a surface.
+int CountCovered(vtkPullPushMapper* mapper)
+{
+  vtkNew<vtkImageData> buffer;
+  if (!mapper->ReadSurfaceBuffer(buffer))
+  {
+    return 0;
+  }
+  vtkDataArray* depth = buffer->GetPointData()->GetArray("Depth");
+  int covered = 0;
+  for (vtkIdType i = 0; i < depth->GetNumberOfTuples(); ++i)
+  {
+    covered += depth->GetComponent(i, 0) > 0.0;
+  }
+  return covered;
+}
+
+void Try(const Case& test)
+{
+  std::cout << "---- " << test.Name << std::endl;
+  vtkNew<vtkPullPushMapper> good;
+  good->SetInputData(MakeSphereCloud(2000));
+  vtkNew<vtkActor> goodActor;
+  goodActor->SetMapper(good);
+  goodActor->SetPosition(1.5, 0.0, 0.0);
+
+  vtkSmartPointer<vtkPolyData> cloud = MakeSphereCloud(2000);
+  vtkNew<vtkPullPushMapper> bad;
+  test.Spoil(cloud, bad);
+  bad->SetInputData(cloud);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  bad->AddObserver(vtkCommand::WarningEvent, observer);
+  bad->AddObserver(vtkCommand::ErrorEvent, observer);
+  vtkNew<vtkActor> badActor;
+  badActor->SetMapper(bad);
+  badActor->SetPosition(-1.5, 0.0, 0.0);
+
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(goodActor);
+  renderer->AddActor(badActor);
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(200, 100);
+  window->AddRenderer(renderer);
+  renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 8.0);
+  renderer->GetActiveCamera()->SetClippingRange(0.01, 1000.0);
+  window->Render();
+
+  const std::string message = observer->GetWarningMessage();
+  Check(!observer->GetError(), "no error");
+  if (test.Message.empty())
+  {
+    Check(!observer->GetWarning(), "no warning " + message);
+  }
+  else
+  {
+    Check(message.find(test.Message) != std::string::npos,
+      "the warning says '" + test.Message + "': " + message);
+  }
+  observer->Clear();
+  bad->Modified();
+  window->Render();
+  Check(!observer->GetWarning(), "it is said once");
+
+  const int drawn = CountCovered(bad);
+  Check(test.Draws == (drawn > 0), std::to_string(drawn) + " pixels of it drawn");
+  CheckAtLeast(CountCovered(good), 800, "pixels of the good cloud");
+}
+}
+
+int TestHardInput(int, char*[])
+{
+  for (const Case& test : GetCases())
+  {
+    Try(test);
+  }
+  return Failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
