@@ -2,7 +2,7 @@
 #include "vtkPointSurfaceMapper.h"
 
 #include "vtkDrawablePoints.h"
-#include "vtkPointProjection.h"
+#include "vtkPointProjectionOpenGL.h"
 #include "vtkPointSurfaceCompat.h"
 #include "vtkPointSurfaceView.h"
 #include "vtkSurfaceBufferShading.h"
@@ -76,7 +76,7 @@ public:
 
   vtkSmartPointer<vtkUnsignedCharArray> PointColors; // made from colours of cells
 
-  vtkPointProjection Projection;
+  vtkPointProjectionOpenGL Projection;
   std::vector<std::unique_ptr<SurfaceBuffer>> Surfaces;
   SurfaceBuffer* Current = nullptr;
   unsigned long UseCount = 0;
@@ -518,7 +518,7 @@ void vtkPointSurfaceMapper::FindOrMakeSurfaceBuffer(
   {
     layers.push_back(vtkSurfaceTarget::Id);
   }
-  if (vtkPointProjection::HasColors(this->VBOs))
+  if (vtkPointProjectionOpenGL::HasColors(this->VBOs))
   {
     layers.push_back(vtkSurfaceTarget::Color);
   }
@@ -568,7 +568,7 @@ void vtkPointSurfaceMapper::ProjectPoints(vtkOpenGLRenderWindow* window,
   }
   projected.Allocate(window, view.Size[0], view.Size[1], layers, true);
 
-  vtkPointProjection::Points points;
+  vtkPointProjectionOpenGL::Points points;
   points.Buffers = this->VBOs;
   points.NumberOfPoints = this->CurrentInput->GetNumberOfPoints();
   points.UniformRadius = internals.Points.GetRadii() ? 0.0 : internals.Points.GetLargestRadius();

@@ -2,7 +2,7 @@
 #include "vtkPullPushMapper.h"
 
 #include "vtkPointSurfaceView.h"
-#include "vtkPullPushReconstruction.h"
+#include "vtkPullPushReconstructionOpenGL.h"
 #include "vtkSurfaceTarget.h"
 
 #include "vtkDoubleArray.h"
@@ -16,7 +16,7 @@ class vtkPullPushMapper::vtkInternals
 {
 public:
   vtkSurfaceTarget Projected;
-  vtkPullPushReconstruction Reconstruction;
+  vtkPullPushReconstructionOpenGL Reconstruction;
   vtkPointSurfaceView View; // that Projected was made for
 };
 
@@ -42,7 +42,7 @@ void vtkPullPushMapper::MakeSurfaceBuffer(
   vtkInternals& internals = *this->Internals;
   this->ProjectPoints(window, view, surface, internals.Projected);
   internals.View = view;
-  vtkPullPushReconstruction::Options options;
+  vtkPullPushReconstructionOpenGL::Options options;
   options.DepthTestInPush = this->DepthTestInPush;
   internals.Reconstruction.Run(window, view, options, internals.Projected, surface);
   this->LastFrameLevels = internals.Reconstruction.GetLevels();

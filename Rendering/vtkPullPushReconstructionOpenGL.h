@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkPullPushReconstruction
+ * @class   vtkPullPushReconstructionOpenGL
  * @brief   the step from one-pixel projections to a surface buffer, by pull-push interpolation
  *
  * Builds the coarser levels of an image pyramid from the projected points (pull), then fills the
@@ -9,8 +9,8 @@
  * between them; here each phase writes a pyramid of its own, so that no pixel is copied and no
  * texture is read while it is written.
  */
-#ifndef vtkPullPushReconstruction_h
-#define vtkPullPushReconstruction_h
+#ifndef vtkPullPushReconstructionOpenGL_h
+#define vtkPullPushReconstructionOpenGL_h
 
 #include "vtkSurfaceTarget.h"
 
@@ -24,7 +24,7 @@ class vtkScreenPass;
 class vtkWindow;
 struct vtkPointSurfaceView;
 
-class vtkPullPushReconstruction
+class vtkPullPushReconstructionOpenGL
 {
 public:
   /**
@@ -35,8 +35,8 @@ public:
     bool DepthTestInPush = false;
   };
 
-  vtkPullPushReconstruction();
-  ~vtkPullPushReconstruction();
+  vtkPullPushReconstructionOpenGL();
+  ~vtkPullPushReconstructionOpenGL();
 
   /**
    * Fills `surface` (layer Surface, and Id and Color where `projected` has them) from `projected`
@@ -54,8 +54,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  vtkPullPushReconstruction(const vtkPullPushReconstruction&) = delete;
-  void operator=(const vtkPullPushReconstruction&) = delete;
+  vtkPullPushReconstructionOpenGL(const vtkPullPushReconstructionOpenGL&) = delete;
+  void operator=(const vtkPullPushReconstructionOpenGL&) = delete;
 
   using Rectangle = std::array<int, 4>; // x, y, x end, y end
   using Layers = std::vector<vtkSurfaceTarget::Layer>;

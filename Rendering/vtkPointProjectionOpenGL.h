@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkPointProjection
+ * @class   vtkPointProjectionOpenGL
  * @brief   the step from uploaded points to an image with at most one pixel a point
  *
  * Each point that survives culling, clipping and the depth test writes its normal, radius and
  * depth interval (and id and colour, where the target has these layers) to the one pixel that it
  * falls on (Marroquim, Kraus, Cavalcanti 2007, section 3.1).
  */
-#ifndef vtkPointProjection_h
-#define vtkPointProjection_h
+#ifndef vtkPointProjectionOpenGL_h
+#define vtkPointProjectionOpenGL_h
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
@@ -26,7 +26,7 @@ class vtkSurfaceTarget;
 class vtkWindow;
 struct vtkPointSurfaceView;
 
-class vtkPointProjection
+class vtkPointProjectionOpenGL
 {
 public:
   /**
@@ -46,8 +46,8 @@ public:
    */
   static bool HasColors(vtkOpenGLVertexBufferObjectGroup* buffers);
 
-  vtkPointProjection();
-  ~vtkPointProjection();
+  vtkPointProjectionOpenGL();
+  ~vtkPointProjectionOpenGL();
 
   /**
    * Ids of the points to draw; an empty list stands for all of them.
@@ -64,8 +64,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  vtkPointProjection(const vtkPointProjection&) = delete;
-  void operator=(const vtkPointProjection&) = delete;
+  vtkPointProjectionOpenGL(const vtkPointProjectionOpenGL&) = delete;
+  void operator=(const vtkPointProjectionOpenGL&) = delete;
 
   void BindAttributes(vtkShaderProgram* program, vtkOpenGLVertexBufferObjectGroup* buffers);
   void SetUniforms(

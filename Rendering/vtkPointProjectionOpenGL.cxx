@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkPointProjection.h"
+#include "vtkPointProjectionOpenGL.h"
 
 #include "vtkPointSurfaceCompat.h"
 #include "vtkPointSurfaceView.h"
@@ -34,15 +34,15 @@ int GetColorSource(vtkOpenGLVertexBufferObjectGroup* buffers)
 }
 }
 
-bool vtkPointProjection::HasColors(vtkOpenGLVertexBufferObjectGroup* buffers)
+bool vtkPointProjectionOpenGL::HasColors(vtkOpenGLVertexBufferObjectGroup* buffers)
 {
   return GetColorSource(buffers) > 0;
 }
 
-vtkPointProjection::vtkPointProjection() = default;
-vtkPointProjection::~vtkPointProjection() = default;
+vtkPointProjectionOpenGL::vtkPointProjectionOpenGL() = default;
+vtkPointProjectionOpenGL::~vtkPointProjectionOpenGL() = default;
 
-void vtkPointProjection::UploadIds(const std::vector<unsigned int>& ids)
+void vtkPointProjectionOpenGL::UploadIds(const std::vector<unsigned int>& ids)
 {
   this->Ids->IndexCount = ids.size();
   if (!ids.empty())
@@ -51,7 +51,7 @@ void vtkPointProjection::UploadIds(const std::vector<unsigned int>& ids)
   }
 }
 
-void vtkPointProjection::ReleaseGraphicsResources(vtkWindow*)
+void vtkPointProjectionOpenGL::ReleaseGraphicsResources(vtkWindow*)
 {
   this->Ids->ReleaseGraphicsResources();
   this->VertexArray->ReleaseGraphicsResources();
@@ -59,7 +59,7 @@ void vtkPointProjection::ReleaseGraphicsResources(vtkWindow*)
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkPointProjection::Draw(vtkOpenGLRenderWindow* window, const Points& points,
+vtkIdType vtkPointProjectionOpenGL::Draw(vtkOpenGLRenderWindow* window, const Points& points,
   const vtkPointSurfaceView& view, vtkSurfaceTarget& target)
 {
   vtkOpenGLState* state = window->GetState();
@@ -100,7 +100,7 @@ vtkIdType vtkPointProjection::Draw(vtkOpenGLRenderWindow* window, const Points& 
 }
 
 //------------------------------------------------------------------------------
-void vtkPointProjection::BindAttributes(
+void vtkPointProjectionOpenGL::BindAttributes(
   vtkShaderProgram* program, vtkOpenGLVertexBufferObjectGroup* buffers)
 {
   this->VertexArray->Bind();
@@ -116,7 +116,7 @@ void vtkPointProjection::BindAttributes(
   this->BindTime.Modified();
 }
 
-void vtkPointProjection::SetUniforms(
+void vtkPointProjectionOpenGL::SetUniforms(
   vtkShaderProgram* program, const Points& points, const vtkPointSurfaceView& view)
 {
   vtkNew<vtkMatrix4x4> matrix;

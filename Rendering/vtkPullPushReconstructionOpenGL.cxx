@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkPullPushReconstruction.h"
+#include "vtkPullPushReconstructionOpenGL.h"
 
 #include "vtkPointSurfaceView.h"
 #include "vtkPullFS.h"
@@ -32,12 +32,13 @@ void SetBounds(
 }
 }
 
-vtkPullPushReconstruction::vtkPullPushReconstruction() = default;
-vtkPullPushReconstruction::~vtkPullPushReconstruction() = default;
+vtkPullPushReconstructionOpenGL::vtkPullPushReconstructionOpenGL() = default;
+vtkPullPushReconstructionOpenGL::~vtkPullPushReconstructionOpenGL() = default;
 
 //------------------------------------------------------------------------------
-void vtkPullPushReconstruction::Run(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
-  const Options& options, vtkSurfaceTarget& projected, vtkSurfaceTarget& surface)
+void vtkPullPushReconstructionOpenGL::Run(vtkOpenGLRenderWindow* window,
+  const vtkPointSurfaceView& view, const Options& options, vtkSurfaceTarget& projected,
+  vtkSurfaceTarget& surface)
 {
   this->Levels = CountLevels(view.Size[0], view.Size[1]);
   this->Passes = 0;
@@ -58,7 +59,7 @@ void vtkPullPushReconstruction::Run(vtkOpenGLRenderWindow* window, const vtkPoin
   }
 }
 
-void vtkPullPushReconstruction::AllocatePyramid(
+void vtkPullPushReconstructionOpenGL::AllocatePyramid(
   vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, const Layers& layers)
 {
   while (static_cast<int>(this->Pulled.size()) < this->Levels)
@@ -85,7 +86,7 @@ void vtkPullPushReconstruction::AllocatePyramid(
 }
 
 //------------------------------------------------------------------------------
-void vtkPullPushReconstruction::Pull(
+void vtkPullPushReconstructionOpenGL::Pull(
   vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& fine, int level)
 {
   vtkSurfaceTarget& coarse = *this->Pulled[level - 1];
@@ -105,9 +106,9 @@ void vtkPullPushReconstruction::Pull(
   fine.Deactivate();
 }
 
-void vtkPullPushReconstruction::Push(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
-  const Options& options, vtkSurfaceTarget& fine, vtkSurfaceTarget& coarse,
-  vtkSurfaceTarget& result, int level)
+void vtkPullPushReconstructionOpenGL::Push(vtkOpenGLRenderWindow* window,
+  const vtkPointSurfaceView& view, const Options& options, vtkSurfaceTarget& fine,
+  vtkSurfaceTarget& coarse, vtkSurfaceTarget& result, int level)
 {
   vtkScreenPass& pass = this->GetPass(false, fine.GetLayers(), result.GetLayers());
   vtkShaderProgram* program = pass.Ready(window);
@@ -133,7 +134,7 @@ void vtkPullPushReconstruction::Push(vtkOpenGLRenderWindow* window, const vtkPoi
   fine.Deactivate();
 }
 
-void vtkPullPushReconstruction::DrawLevel(
+void vtkPullPushReconstructionOpenGL::DrawLevel(
   vtkOpenGLRenderWindow* window, vtkScreenPass& pass, int level)
 {
   const Rectangle& r = this->Rectangles[level];
@@ -142,7 +143,7 @@ void vtkPullPushReconstruction::DrawLevel(
 }
 
 //------------------------------------------------------------------------------
-vtkScreenPass& vtkPullPushReconstruction::GetPass(
+vtkScreenPass& vtkPullPushReconstructionOpenGL::GetPass(
   bool pull, const Layers& input, const Layers& output)
 {
   std::unique_ptr<vtkScreenPass>& pass = this->Programs[pull][{ input, output }];
@@ -159,7 +160,7 @@ vtkScreenPass& vtkPullPushReconstruction::GetPass(
   return *pass;
 }
 
-void vtkPullPushReconstruction::ReleaseGraphicsResources(vtkWindow* window)
+void vtkPullPushReconstructionOpenGL::ReleaseGraphicsResources(vtkWindow* window)
 {
   for (auto* pyramid : { &this->Pulled, &this->Pushed })
   {
