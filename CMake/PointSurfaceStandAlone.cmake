@@ -17,8 +17,14 @@ find_package(VTK 9.1 REQUIRED
   OPTIONAL_COMPONENTS Python WrappingPythonCore FiltersCore FiltersGeneral FiltersGeometry FiltersSources IOImage
     IOXML ImagingCore ImagingHybrid InteractionStyle RenderingFreeType TestingCore TestingRendering)
 
+file(STRINGS PointSurface.module module REGEX "^[^#]")
+file(STRINGS vtk.module remote_module REGEX "^[^#]")
+string(REPLACE "PointSurface::" "VTK::" module "${module}")
+if (NOT module STREQUAL remote_module)
+  message(FATAL_ERROR "PointSurface.module and vtk.module differ in more than the namespace: change both alike.")
+endif ()
 vtk_module_scan(
-  MODULE_FILES "${CMAKE_CURRENT_SOURCE_DIR}/vtk.module"
+  MODULE_FILES "${CMAKE_CURRENT_SOURCE_DIR}/PointSurface.module"
   REQUEST_MODULES PointSurface::PointSurface
   PROVIDES_MODULES modules
   ENABLE_TESTS "${BUILD_TESTING}")

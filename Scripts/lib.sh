@@ -69,7 +69,7 @@ install_packages() {
     ((${#missing[@]} == 0)) && return
     stop "packages are missing, and there is no sudo; run as root: apt-get install ${missing[*]} ${wanted[*]}"
   fi
-  say "installing from Debian: ${missing[*]} ${wanted[*]}"
+  say "installing from Debian (this can take minutes):" "${missing[@]}" "${wanted[@]}"
   as_root apt-get update --quiet=2 || say "apt-get update failed; trying with the lists that are there"
   if ((${#missing[@]})); then
     apt_install "${missing[@]}" || stop "apt-get could not install: ${missing[*]}"
@@ -86,7 +86,7 @@ install_packages() {
 
 apt_install() {
   as_root env DEBIAN_FRONTEND=noninteractive \
-    apt-get install --yes --quiet=2 --no-install-recommends -o Dpkg::Use-Pty=0 "$@" </dev/null
+    apt-get install --yes --quiet=2 --no-install-recommends -o Dpkg::Use-Pty=0 "$@" </dev/null >/dev/null
 }
 
 build() {

@@ -4,6 +4,6 @@
 # shellcheck source=lib.sh
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-install_packages "${build_packages[@]}" python3-pytest -- xvfb
+install_packages "${build_packages[@]}" python3-pytest -- xvfb xauth
 build
 exec ctest --test-dir "$build_dir" -j2 --output-on-failure "$@"

@@ -162,7 +162,9 @@ def test_device_that_does_not_exist_gives_a_warning_and_another_device():
     assert int(result.stdout.split()[1]) > 2000
 
 
-needs_xvfb = pytest.mark.skipif(not shutil.which("xvfb-run"), reason="xvfb-run (package xvfb) is not installed")
+needs_xvfb = pytest.mark.skipif(
+    not (shutil.which("xvfb-run") and shutil.which("xauth")), reason="needs the packages xvfb and xauth"
+)
 
 
 @needs_xvfb
