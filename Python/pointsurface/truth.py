@@ -48,7 +48,6 @@ class _SceneOfOneSurface:
     def __init__(self, surface, like, surface_property, size):
         self.mapper = vtkPolyDataMapper()
         self.mapper.SetInputData(surface)
-        self.mapper.ScalarVisibilityOff()
         actor = vtkActor()
         actor.SetMapper(self.mapper)
         actor.SetProperty(surface_property)

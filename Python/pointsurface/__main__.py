@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command line: python3 -m pointsurface COMMAND."""
+
+import argparse
+import sys
+
+from . import demo
+from .readers import UnreadableFile
+
+WRONG_USE = 2
+INTERRUPTED = 130
+
+
+class _Parser(argparse.ArgumentParser):
+    """Says what is wrong in one line, without the usage."""
+
+    def error(self, message):
+        self.exit(WRONG_USE, f"{self.prog}: {message} (--help tells more)\n")
+
+
+def main():
+    parser = _Parser(prog="pointsurface", description="Point clouds drawn as closed, lit surfaces, with no mesh.")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    demo_parser = commands.add_parser("demo", help="draw a file from points, and its mesh beside it")
+    demo.add_arguments(demo_parser)
+    arguments = parser.parse_args()
+    try:
+        demo.run(arguments)
+    except (UnreadableFile, OSError) as error:
+        print(f"{parser.prog}: {error}", file=sys.stderr)
+        return WRONG_USE
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,269 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws a file from points by pull-push, beside the mesh of the same surface, and tells how far apart the two are."""
+
+import os
+import sys
+import time
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D, vtkPolyDataNormals
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkRenderer
+
+from . import vtkIsosurfacePoints, vtkPullPushMapper
+from .metrics import SurfaceImage, compare
+from .readers import UnreadableFile, read
+from .rendering import offscreen_window, read_color, renderer_string, write_png
+from .timing import time_frames
+from .truth import render_truth
+from .volumes import gyroid_ball, otsu_threshold
+
+# The MR head of Debian's package mricron-data: Colin 27, Montreal Neurological Institute.
+HEAD = "/usr/share/mricron/templates/ch2.nii.gz"
+HEAD_ISOVALUE = 50.5  # the skin; at 50 many voxels equal the isovalue
+FRAMES = 20
+DIFFERENCE_GAIN = 4
+
+
+def add_arguments(parser):
+    """The demo's part of the command line."""
+    parser.add_argument("file", nargs="?", help="volume, mesh or points; default: the MR head of Debian's mricron-data")
+    parser.add_argument("--isovalue", type=float, help="of a volume; default: Otsu's threshold")
+    parser.add_argument("--size", type=_size, default=(800, 600), metavar="WxH", help="pixels; default: 800x600")
+    parser.add_argument(
+        "--output", default="pointsurface-demo", metavar="DIR", help="folder of the pictures; default: %(default)s"
+    )
+
+
+def run(arguments):
+    """Writes the pictures and prints the table. Raises UnreadableFile or OSError with a line for the user."""
+    progress = _Progress()
+    subject = _load(arguments.file, arguments.isovalue, progress)
+    os.makedirs(arguments.output, exist_ok=True)
+    rows = [("points", f"{subject.points.GetNumberOfPoints()}")]
+    if subject.extract_milliseconds is not None:
+        rows.append(("extract points", f"{subject.extract_milliseconds:.1f} ms"))
+
+    progress.announce("drawing the points")
+    renderer, mapper = _scene(subject)
+    window = offscreen_window(renderer, arguments.size)
+    pictures = {"points": read_color(window)}
+    image = _surface_image(pictures["points"], mapper)
+    if subject.mesh is not None:
+        progress.announce("drawing the mesh, 16 samples a pixel")
+        surface_property = renderer.GetActors().GetLastActor().GetProperty()
+        truth = render_truth(subject.mesh, renderer, surface_property, arguments.size)
+        pictures["mesh"] = truth.color
+        pictures["difference"] = DIFFERENCE_GAIN * np.abs(image.color - truth.color)
+        measures = compare(image, truth, subject.points.GetLength())
+    progress.announce("timing")
+    rows += _timing_rows(time_frames(window, renderer, FRAMES, mapper=mapper))
+    if subject.mesh is not None:
+        rows += _measure_rows(measures)
+    rows.append(("OpenGL renderer", renderer_string(window)))
+
+    pictures["montage"] = np.concatenate(list(pictures.values()), axis=1)
+    for name, picture in pictures.items():
+        write_png(os.path.join(arguments.output, f"{name}.png"), picture)
+    _print_report(subject, arguments, rows, pictures)
+
+
+@dataclass
+class _Subject:
+    """What is drawn: points, and the mesh of the same surface where there is one."""
+
+    title: str
+    points: vtkPolyData
+    mesh: Optional[vtkPolyData] = None
+    extract_milliseconds: Optional[float] = None
+    up: str = "y"
+
+
+class _Progress:
+    """Lines on stderr about what takes long."""
+
+    def announce(self, what):
+        print(f"{what} ...", file=sys.stderr, flush=True)
+
+    def watch(self, what):
+        """A function to be called with 0 to 1; it prints a line a second, and none in the first."""
+        last = time.monotonic()
+
+        def report(fraction):
+            nonlocal last
+            if time.monotonic() - last >= 1:
+                last = time.monotonic()
+                self.announce(f"{what}: {fraction:.0%}")
+
+        return report
+
+
+def _size(text):
+    width, _, height = text.lower().partition("x")
+    if not (width.isdecimal() and height.isdecimal()) or not all(16 <= int(n) <= 8192 for n in (width, height)):
+        raise ValueError  # argparse names the option and the text
+    return int(width), int(height)
+
+
+_size.__name__ = "size of WIDTHxHEIGHT, 16 to 8192,"  # what argparse calls it
+
+
+def _load(path, isovalue, progress):
+    if path is None:
+        return _default_subject(isovalue, progress)
+    data = read(path, progress.watch(f"reading {path}"))
+    name = os.path.basename(path)
+    if isinstance(data, vtkImageData):
+        if isovalue is None:
+            try:
+                isovalue = otsu_threshold(data)
+            except ValueError as error:
+                raise UnreadableFile(f"{path}: {error}") from error
+            print(f"Isovalue by Otsu's threshold: {isovalue:g} (--isovalue takes another)")
+        return _isosurface(name, data, isovalue, progress)
+    if isovalue is not None:
+        raise UnreadableFile(f"{path} is no volume: --isovalue has no meaning for it")
+    return _points_and_mesh(name, data)
+
+
+def _default_subject(isovalue, progress):
+    if os.path.exists(HEAD):
+        head = read(HEAD, progress.watch(f"reading {HEAD}"))
+        return _isosurface("MR head (Colin 27)", head, HEAD_ISOVALUE if isovalue is None else isovalue, progress)
+    print(f"{HEAD} is not there (Debian's mricron-data has it): a gyroid in a ball instead")
+    return _isosurface("gyroid in a ball", gyroid_ball(), 0.0 if isovalue is None else isovalue, progress)
+
+
+def _isosurface(name, volume, isovalue, progress):
+    extract = vtkIsosurfacePoints()
+    extract.SetInputData(volume)
+    extract.SetValue(0, isovalue)
+    watch = progress.watch("extracting points")
+    extract.AddObserver("ProgressEvent", lambda caller, _: watch(caller.GetProgress()))
+    start = time.perf_counter()
+    extract.Update()
+    milliseconds = (time.perf_counter() - start) * 1000
+    if extract.GetOutput().GetNumberOfPoints() == 0:
+        low, high = volume.GetScalarRange()
+        raise UnreadableFile(f"{name} has no surface at isovalue {isovalue:g}: its values lie in {low:g} to {high:g}")
+
+    contour = vtkFlyingEdges3D()
+    contour.SetInputData(volume)
+    contour.SetValue(0, isovalue)
+    contour.ComputeScalarsOff()
+    contour.Update()
+    mesh = contour.GetOutput()
+    _mend_normals(mesh)
+    title = f"isosurface of {name} at {isovalue:g}"
+    return _Subject(title, extract.GetOutput(), mesh, milliseconds, up="z")
+
+
+def _mend_normals(mesh):
+    """Where the gradient vanishes VTK's normals are no numbers, or zero; there the triangles' mean is taken."""
+    normals = vtk_to_numpy(mesh.GetPointData().GetNormals()).copy()
+    undefined = ~(np.linalg.norm(normals, axis=1) > 0.5)
+    if np.any(undefined):
+        normals[undefined] = vtk_to_numpy(_with_normals(mesh).GetPointData().GetNormals())[undefined]
+        array = numpy_to_vtk(normals, deep=True)
+        array.SetName("Normals")
+        mesh.GetPointData().SetNormals(array)
+
+
+def _with_normals(mesh):
+    bare = vtkPolyData()
+    bare.CopyStructure(mesh)
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(bare)
+    normals.SplittingOff()
+    normals.ConsistencyOff()
+    normals.Update()
+    return normals.GetOutput()
+
+
+def _points_and_mesh(name, data):
+    """A file's points as they are; if it has polygons they are the mesh, with normals of their own if it has none."""
+    scalars = data.GetPointData().GetScalars()
+    if scalars is not None and scalars.GetDataType() != VTK_UNSIGNED_CHAR:
+        data.GetPointData().SetActiveScalars(None)  # measurements, not colours
+    points = vtkPolyData()
+    points.SetPoints(data.GetPoints())
+    points.GetPointData().ShallowCopy(data.GetPointData())
+    if data.GetNumberOfPolys() + data.GetNumberOfStrips() == 0:
+        return _Subject(f"points of {name}", points)
+    if data.GetPointData().GetNormals() is None:
+        with_normals = _with_normals(data).GetPointData().GetNormals()
+        mesh = vtkPolyData()
+        mesh.ShallowCopy(data)
+        mesh.GetPointData().SetNormals(with_normals)
+        return _Subject(f"points of {name}", points, mesh)
+    return _Subject(f"points of {name}", points, data)
+
+
+def _scene(subject):
+    """A renderer with the points as an actor, a key light and a fill light, and a camera that sees all."""
+    mapper = vtkPullPushMapper()
+    mapper.SetInputData(subject.points)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(0.93, 0.82, 0.72)
+    actor.GetProperty().SetSpecular(0.2)
+    actor.GetProperty().SetSpecularPower(30)
+    renderer = vtkRenderer()
+    renderer.SetBackground(0.15, 0.17, 0.2)
+    renderer.AddActor(actor)
+    for position, intensity in (((-0.6, 0.7, 1.0), 0.8), ((0.5, -0.2, 1.0), 0.3)):
+        light = vtkLight()
+        light.SetLightTypeToCameraLight()
+        light.SetPosition(*position)
+        light.SetIntensity(intensity)
+        renderer.AddLight(light)
+    camera = renderer.GetActiveCamera()
+    direction, up = {"y": ((0.4, 0.3, 1), (0, 1, 0)), "z": ((0.6, 1, 0.2), (0, 0, 1))}[subject.up]
+    camera.SetPosition(*direction)
+    camera.SetViewUp(*up)
+    renderer.ResetCamera(subject.points.GetBounds())
+    camera.Zoom(1.4)
+    return renderer, mapper
+
+
+def _surface_image(color, mapper):
+    buffer = vtkImageData()
+    mapper.ReadSurfaceBuffer(buffer)
+    width, height, _ = buffer.GetDimensions()
+    data = buffer.GetPointData()
+    normals = vtk_to_numpy(data.GetArray("Normals")).reshape(height, width, 3)
+    depth = vtk_to_numpy(data.GetArray("Depth")).reshape(height, width)
+    return SurfaceImage(color, normals.astype(float), depth.astype(float))
+
+
+def _timing_rows(milliseconds):
+    names = {"project": "project", "reconstruct": "reconstruct", "shade": "shade", "frame": "whole frame"}
+    return [(name, f"{milliseconds[key]:.1f} ms") for key, name in names.items()]
+
+
+def _measure_rows(measures):
+    return [
+        ("PSNR", f"{measures['psnr']:.1f} dB"),
+        ("SSIM", f"{measures['ssim']:.4f}"),
+        ("normal error", f"{measures['normal_mean']:.2f} degrees on average, 95% below {measures['normal_95']:.2f}"),
+        ("depth error", f"{100 * measures['depth']:.4f}% of the bounding box's diagonal on average"),
+        ("silhouettes", f"{measures['iou']:.4f} intersection over union"),
+        ("unfilled", f"{100 * measures['unfilled']:.3f}% of the pixels inside the silhouette"),
+    ]
+
+
+def _print_report(subject, arguments, rows, pictures):
+    width, height = arguments.size
+    print(f"{subject.title[0].upper()}{subject.title[1:]}, {width} x {height} pixels")
+    for name, value in rows:
+        print(f"  {name:<16} {value}")
+    print(f"Frames and their stages: median of {FRAMES}, camera moving.")
+    if subject.mesh is None:
+        print("The file has no polygons, so there is no true surface to compare with.")
+    else:
+        print(f"The difference is shown {DIFFERENCE_GAIN} times as bright; the mesh has 16 samples a pixel.")
+    print(f"Pictures in {arguments.output}: {', '.join(f'{name}.png' for name in pictures)}")
