@@ -234,7 +234,7 @@ void vtkDrawablePoints::SelectRadii(vtkPolyData* input, const RadiusSource& sour
   }
   if (!array && source.Radius > 0.0)
   {
-    this->LargestRadius = source.Radius;
+    this->LargestRadius = this->MeanRadius = source.Radius;
     return;
   }
   if (!array)
@@ -297,6 +297,7 @@ void vtkDrawablePoints::RepairRadii(vtkDataArray* array)
     this->LargestRadius = std::max(this->LargestRadius, std::min(r, limit));
   }
   const double mean = good > 0 ? sum / good : 0.0;
+  this->MeanRadius = mean;
   if (firstFaulty >= 0)
   {
     std::ostringstream line;
@@ -347,4 +348,10 @@ void vtkDrawablePoints::EstimateRadii()
   vtkDataSet* output = vtkDataSet::SafeDownCast(spacing->GetOutputDataObject(0));
   this->Radii = vtkFloatArray::SafeDownCast(output->GetPointData()->GetArray("radius"));
   this->LargestRadius = this->Radii->GetRange()[1];
+  double sum = 0.0;
+  for (vtkIdType id = 0; id < this->Radii->GetNumberOfTuples(); ++id)
+  {
+    sum += this->Radii->GetValue(id);
+  }
+  this->MeanRadius = sum / this->Radii->GetNumberOfTuples();
 }

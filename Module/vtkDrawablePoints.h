@@ -52,6 +52,7 @@ public:
    */
   vtkFloatArray* GetRadii() const { return this->Radii; }
   double GetLargestRadius() const { return this->LargestRadius; }
+  double GetMeanRadius() const { return this->MeanRadius; }
 
   /**
    * Ids of the points to draw; empty when all `GetNumberOfDrawnPoints()` of them are drawn.
@@ -75,6 +76,7 @@ private:
   vtkSmartPointer<vtkPolyData> Cloud;
   vtkSmartPointer<vtkFloatArray> Radii;
   double LargestRadius = 0.0;
+  double MeanRadius = 0.0;
   std::vector<unsigned int> DrawnIds;
   vtkIdType NumberOfDrawnPoints = 0;
   double Bounds[6] = { 1, -1, 1, -1, 1, -1 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointProjectionOpenGL.h"
 
+#include "vtkPointProjectionOptions.h"
 #include "vtkPointSurfaceCompat.h"
 #include "vtkPointSurfaceView.h"
 #include "vtkSurfaceTarget.h"
@@ -60,7 +61,8 @@ void vtkPointProjectionOpenGL::ReleaseGraphicsResources(vtkWindow*)
 
 //------------------------------------------------------------------------------
 vtkIdType vtkPointProjectionOpenGL::Draw(vtkOpenGLRenderWindow* window, const Points& points,
-  const vtkPointSurfaceView& view, vtkSurfaceTarget& target)
+  const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
+  vtkSurfaceTarget& target)
 {
   vtkOpenGLState* state = window->GetState();
   target.BindForWriting(window);
@@ -80,7 +82,7 @@ vtkIdType vtkPointProjectionOpenGL::Draw(vtkOpenGLRenderWindow* window, const Po
     return 0;
   }
   this->BindAttributes(program, points.Buffers);
-  this->SetUniforms(program, points, view);
+  this->SetUniforms(program, points, view, options);
 
   state->vtkglPointSize(1.0f);
   const auto listed = static_cast<vtkIdType>(this->Ids->IndexCount);
@@ -116,8 +118,8 @@ void vtkPointProjectionOpenGL::BindAttributes(
   this->BindTime.Modified();
 }
 
-void vtkPointProjectionOpenGL::SetUniforms(
-  vtkShaderProgram* program, const Points& points, const vtkPointSurfaceView& view)
+void vtkPointProjectionOpenGL::SetUniforms(vtkShaderProgram* program, const Points& points,
+  const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options)
 {
   vtkNew<vtkMatrix4x4> matrix;
   matrix->DeepCopy(view.MCVC.data());
@@ -135,6 +137,10 @@ void vtkPointProjectionOpenGL::SetUniforms(
   const float depthRange[2] = { static_cast<float>(view.DepthRange[0]),
     static_cast<float>(view.DepthRange[1]) };
   program->SetUniform2f("depthRange", depthRange);
+  const float size[2] = { static_cast<float>(view.Size[0]), static_cast<float>(view.Size[1]) };
+  program->SetUniform2f("targetSize", size);
+  program->SetUniformi("subpixelCenters", options.SubpixelCenters);
+  program->SetUniformi("centerDepths", options.CenterDepths);
 
   float planes[6][4];
   for (int i = 0; i < 24; ++i)

@@ -24,6 +24,7 @@ class vtkOpenGLVertexBufferObjectGroup;
 class vtkShaderProgram;
 class vtkSurfaceTarget;
 class vtkWindow;
+struct vtkPointProjectionOptions;
 struct vtkPointSurfaceView;
 
 class vtkPointProjectionOpenGL
@@ -59,7 +60,8 @@ public:
    * buffer. Returns the number of points sent.
    */
   vtkIdType Draw(vtkOpenGLRenderWindow* window, const Points& points,
-    const vtkPointSurfaceView& view, vtkSurfaceTarget& target);
+    const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
+    vtkSurfaceTarget& target);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -68,8 +70,8 @@ private:
   void operator=(const vtkPointProjectionOpenGL&) = delete;
 
   void BindAttributes(vtkShaderProgram* program, vtkOpenGLVertexBufferObjectGroup* buffers);
-  void SetUniforms(
-    vtkShaderProgram* program, const Points& points, const vtkPointSurfaceView& view);
+  void SetUniforms(vtkShaderProgram* program, const Points& points, const vtkPointSurfaceView& view,
+    const vtkPointProjectionOptions& options);
 
   vtkNew<vtkOpenGLIndexBufferObject> Ids;
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;

@@ -3,6 +3,7 @@
 
 #include "vtkDrawablePoints.h"
 #include "vtkPointProjectionOpenGL.h"
+#include "vtkPointProjectionOptions.h"
 #include "vtkPointSurfaceCompat.h"
 #include "vtkPointSurfaceView.h"
 #include "vtkSurfaceBufferShading.h"
@@ -362,7 +363,8 @@ double GetLargestStretch(vtkMatrix4x4* matrix)
 }
 
 /// Sets the view's rectangle and range of depth from the cloud's bounds in model coordinates.
-void SetExtent(vtkPointSurfaceView& view, vtkMatrix4x4* modelToEye, const double bounds[6])
+void SetExtent(
+  vtkPointSurfaceView& view, vtkMatrix4x4* modelToEye, const double bounds[6], double meanRadius)
 {
   view.Rectangle = { 0, 0, view.Size[0], view.Size[1] };
   double nearest = VTK_DOUBLE_MAX;
@@ -388,6 +390,8 @@ void SetExtent(vtkPointSurfaceView& view, vtkMatrix4x4* modelToEye, const double
   view.DepthRange = { nearest - margin, farthest + margin };
 
   const auto& m = view.VCDC;
+  const double middleW = std::max(m[15] - 0.5 * m[11] * (nearest + farthest), 1e-30);
+  view.TypicalRadius = 0.5 * meanRadius * view.Size[1] * std::abs(m[5]) / middleW;
   const double nearestW = m[15] - m[11] * nearest;
   if (nearestW <= 1e-6 * (m[15] - m[11] * farthest))
   {
@@ -490,7 +494,8 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(vtkRenderer* renderer, vtkAct
 
   view.RadiusScale = this->RadiusScale * GetLargestStretch(modelToEye);
   view.LargestRadius = view.RadiusScale * this->Internals->Points.GetLargestRadius();
-  SetExtent(view, modelToEye, this->Internals->Points.GetBounds());
+  SetExtent(view, modelToEye, this->Internals->Points.GetBounds(),
+    view.RadiusScale * this->Internals->Points.GetMeanRadius());
   return view;
 }
 
@@ -553,7 +558,8 @@ void vtkPointSurfaceMapper::FindOrMakeSurfaceBuffer(
 }
 
 void vtkPointSurfaceMapper::ProjectPoints(vtkOpenGLRenderWindow* window,
-  const vtkPointSurfaceView& view, const vtkSurfaceTarget& surface, vtkSurfaceTarget& projected)
+  const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
+  const vtkSurfaceTarget& surface, vtkSurfaceTarget& projected)
 {
   vtkInternals& internals = *this->Internals;
   internals.Timers[Project].Start();
@@ -572,7 +578,7 @@ void vtkPointSurfaceMapper::ProjectPoints(vtkOpenGLRenderWindow* window,
   points.Buffers = this->VBOs;
   points.NumberOfPoints = this->CurrentInput->GetNumberOfPoints();
   points.UniformRadius = internals.Points.GetRadii() ? 0.0 : internals.Points.GetLargestRadius();
-  this->LastFramePointsDrawn = internals.Projection.Draw(window, points, view, projected);
+  this->LastFramePointsDrawn = internals.Projection.Draw(window, points, view, options, projected);
   internals.Timers[Project].Stop();
   internals.Timers[Reconstruct].Start();
 }

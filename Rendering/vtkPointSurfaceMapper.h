@@ -33,6 +33,7 @@
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkSurfaceTarget;
+struct vtkPointProjectionOptions;
 struct vtkPointSurfaceView;
 
 class VTKPOINTSURFACE_EXPORT vtkPointSurfaceMapper : public vtkOpenGLPolyDataMapper
@@ -138,7 +139,8 @@ protected:
    * gets the layers Shape and Interval, and Id and Color where `surface` has them.
    */
   void ProjectPoints(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
-    const vtkSurfaceTarget& surface, vtkSurfaceTarget& projected);
+    const vtkPointProjectionOptions& options, const vtkSurfaceTarget& surface,
+    vtkSurfaceTarget& projected);
 
   /**
    * The view of the last frame's surface buffer, and the window; nullptr before the first frame.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPullPushMapper.h"
 
+#include "vtkPointProjectionOptions.h"
 #include "vtkPointSurfaceView.h"
+#include "vtkPullPushOptions.h"
 #include "vtkPullPushReconstructionOpenGL.h"
 #include "vtkSurfaceTarget.h"
 
@@ -40,10 +42,17 @@ void vtkPullPushMapper::MakeSurfaceBuffer(
   vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& surface)
 {
   vtkInternals& internals = *this->Internals;
-  this->ProjectPoints(window, view, surface, internals.Projected);
-  internals.View = view;
-  vtkPullPushReconstructionOpenGL::Options options;
+  vtkPullPushOptions options;
+  options.SubpixelCenters = this->SubpixelCenters;
+  options.PerspectiveDiscs = this->PerspectiveDiscs;
+  options.DistanceWeights = this->DistanceWeights;
   options.DepthTestInPush = this->DepthTestInPush;
+  options.UnionRadii = this->UnionRadii;
+  vtkPointProjectionOptions projection;
+  projection.SubpixelCenters = options.SubpixelCenters;
+  projection.CenterDepths = options.PerspectiveDiscs;
+  this->ProjectPoints(window, view, projection, surface, internals.Projected);
+  internals.View = view;
   internals.Reconstruction.Run(window, view, options, internals.Projected, surface);
   this->LastFrameLevels = internals.Reconstruction.GetLevels();
   this->LastFramePasses = internals.Reconstruction.GetPasses();
@@ -95,5 +104,9 @@ bool vtkPullPushMapper::ReadProjectedBuffer(vtkImageData* buffer)
 void vtkPullPushMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "SubpixelCenters: " << this->SubpixelCenters << "\n";
+  os << indent << "PerspectiveDiscs: " << this->PerspectiveDiscs << "\n";
+  os << indent << "DistanceWeights: " << this->DistanceWeights << "\n";
+  os << indent << "UnionRadii: " << this->UnionRadii << "\n";
   os << indent << "DepthTestInPush: " << this->DepthTestInPush << "\n";
 }

@@ -28,6 +28,47 @@ public:
 
   ///@{
   /**
+   * Put a disc's centre where the point falls in its pixel; in the paper (section 3.2) it lies at
+   * the pixel's centre. Default on.
+   */
+  vtkSetMacro(SubpixelCenters, bool);
+  vtkGetMacro(SubpixelCenters, bool);
+  vtkBooleanMacro(SubpixelCenters, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Let the ray through a pixel meet the disc itself, and take the depth of that point; the paper
+   * (section 3.2) takes the orthogonal projection of the disc and its least depth. Default on.
+   */
+  vtkSetMacro(PerspectiveDiscs, bool);
+  vtkGetMacro(PerspectiveDiscs, bool);
+  vtkBooleanMacro(PerspectiveDiscs, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Weight by (1 - e)^2 in the push phase, e being the square of the distance from a disc's centre,
+   * 1 at its edge; the paper (section 3.3) has the weights 9, 3, 3, 1. Default on.
+   */
+  vtkSetMacro(DistanceWeights, bool);
+  vtkGetMacro(DistanceWeights, bool);
+  vtkBooleanMacro(DistanceWeights, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Where projected radii are under 2.5 pixels, give a coarser pixel a radius that covers the discs
+   * below it; the paper (section 3.2) takes the mean of their radii, which leaves holes there.
+   * Default on.
+   */
+  vtkSetMacro(UnionRadii, bool);
+  vtkGetMacro(UnionRadii, bool);
+  vtkBooleanMacro(UnionRadii, bool);
+  ///@}
+
+  ///@{
+  /**
    * In the push phase too, average only pixels near the frontmost one (within twice its depth
    * interval), much as the pull phase does; the paper (section 3.3) averages all of them, which
    * mixes two surfaces at their borders. Default on.
@@ -60,6 +101,10 @@ protected:
   void MakeSurfaceBuffer(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
     vtkSurfaceTarget& surface) override;
 
+  bool SubpixelCenters = true;
+  bool PerspectiveDiscs = true;
+  bool DistanceWeights = true;
+  bool UnionRadii = true;
   bool DepthTestInPush = true;
 
 private:

@@ -3,6 +3,8 @@
 
 #include "vtkPointSurfaceView.h"
 #include "vtkPullFS.h"
+#include "vtkPullPushCommon.h"
+#include "vtkPullPushOptions.h"
 #include "vtkPushFS.h"
 #include "vtkScreenPass.h"
 
@@ -30,6 +32,41 @@ void SetBounds(
   program->SetUniform2i((prefix + "Begin").c_str(), rectangle.data());
   program->SetUniform2i((prefix + "End").c_str(), rectangle.data() + 2);
 }
+
+void SetCommonUniforms(
+  vtkShaderProgram* program, const vtkPointSurfaceView& view, const vtkPullPushOptions& options)
+{
+  const float pixelToEye[4] = { static_cast<float>(2.0 / (view.Size[0] * view.VCDC[0])),
+    static_cast<float>(2.0 / (view.Size[1] * view.VCDC[5])), static_cast<float>(-view.VCDC[11]),
+    static_cast<float>(view.VCDC[15]) };
+  program->SetUniform4f("pixelToEye", pixelToEye);
+  program->SetUniformi("twoSided", view.Cull == vtkPointSurfaceView::NoCulling);
+  program->SetUniformi("centerDepths", options.PerspectiveDiscs);
+}
+
+/// Rays as linear functions of the pixel: eye xy = origin + depth * direction.
+void SetRays(vtkShaderProgram* program, const vtkPointSurfaceView& view)
+{
+  const auto& m = view.VCDC;
+  float ray[4];
+  float step[4];
+  for (int k = 0; k < 2; ++k)
+  {
+    const double scale = m[5 * k];
+    ray[k] = static_cast<float>((m[11] + m[8 + k]) / scale);
+    ray[2 + k] = static_cast<float>((-m[15] - m[12 + k]) / scale);
+    step[k] = static_cast<float>(-2.0 * m[11] / (view.Size[k] * scale));
+    step[2 + k] = static_cast<float>(2.0 * m[15] / (view.Size[k] * scale));
+  }
+  program->SetUniform4f("eyeRay", ray);
+  program->SetUniform4f("eyeRayStep", step);
+}
+
+/// How far radii are those of the union of discs: all the way where they are below 1.5 pixels.
+double GetUnionShare(const vtkPointSurfaceView& view)
+{
+  return std::min(std::max(2.5 - view.TypicalRadius, 0.0), 1.0);
+}
 }
 
 vtkPullPushReconstructionOpenGL::vtkPullPushReconstructionOpenGL() = default;
@@ -37,7 +74,7 @@ vtkPullPushReconstructionOpenGL::~vtkPullPushReconstructionOpenGL() = default;
 
 //------------------------------------------------------------------------------
 void vtkPullPushReconstructionOpenGL::Run(vtkOpenGLRenderWindow* window,
-  const vtkPointSurfaceView& view, const Options& options, vtkSurfaceTarget& projected,
+  const vtkPointSurfaceView& view, const vtkPullPushOptions& options, vtkSurfaceTarget& projected,
   vtkSurfaceTarget& surface)
 {
   this->Levels = CountLevels(view.Size[0], view.Size[1]);
@@ -48,7 +85,7 @@ void vtkPullPushReconstructionOpenGL::Run(vtkOpenGLRenderWindow* window,
   { return level == 0 ? projected : *this->Pulled[level - 1]; };
   for (int level = 1; level <= this->Levels; ++level)
   {
-    this->Pull(window, view, pulled(level - 1), level);
+    this->Pull(window, view, options, pulled(level - 1), level);
   }
   for (int level = this->Levels - 1; level >= 0; --level)
   {
@@ -86,8 +123,9 @@ void vtkPullPushReconstructionOpenGL::AllocatePyramid(
 }
 
 //------------------------------------------------------------------------------
-void vtkPullPushReconstructionOpenGL::Pull(
-  vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& fine, int level)
+void vtkPullPushReconstructionOpenGL::Pull(vtkOpenGLRenderWindow* window,
+  const vtkPointSurfaceView& view, const vtkPullPushOptions& options, vtkSurfaceTarget& fine,
+  int level)
 {
   vtkSurfaceTarget& coarse = *this->Pulled[level - 1];
   vtkScreenPass& pass = this->GetPass(true, fine.GetLayers(), coarse.GetLayers());
@@ -100,14 +138,16 @@ void vtkPullPushReconstructionOpenGL::Pull(
   fine.SetSamplers(program, "fine");
   SetBounds(program, "fine", this->Rectangles[level - 1]);
   program->SetUniformf("fineSize", static_cast<float>(1 << (level - 1)));
-  program->SetUniformi("twoSided", view.Cull == vtkPointSurfaceView::NoCulling);
+  program->SetUniformf(
+    "unionShare", options.UnionRadii ? static_cast<float>(GetUnionShare(view)) : 0.0f);
+  SetCommonUniforms(program, view, options);
   coarse.BindForWriting(window);
   this->DrawLevel(window, pass, level);
   fine.Deactivate();
 }
 
 void vtkPullPushReconstructionOpenGL::Push(vtkOpenGLRenderWindow* window,
-  const vtkPointSurfaceView& view, const Options& options, vtkSurfaceTarget& fine,
+  const vtkPointSurfaceView& view, const vtkPullPushOptions& options, vtkSurfaceTarget& fine,
   vtkSurfaceTarget& coarse, vtkSurfaceTarget& result, int level)
 {
   vtkScreenPass& pass = this->GetPass(false, fine.GetLayers(), result.GetLayers());
@@ -122,11 +162,9 @@ void vtkPullPushReconstructionOpenGL::Push(vtkOpenGLRenderWindow* window,
   coarse.SetSamplers(program, "coarse");
   SetBounds(program, "coarse", this->Rectangles[level + 1]);
   program->SetUniformf("fineSize", static_cast<float>(1 << level));
-  const float pixelToEye[4] = { static_cast<float>(2.0 / (view.Size[0] * view.VCDC[0])),
-    static_cast<float>(2.0 / (view.Size[1] * view.VCDC[5])), static_cast<float>(-view.VCDC[11]),
-    static_cast<float>(view.VCDC[15]) };
-  program->SetUniform4f("pixelToEye", pixelToEye);
-  program->SetUniformi("twoSided", view.Cull == vtkPointSurfaceView::NoCulling);
+  SetCommonUniforms(program, view, options);
+  SetRays(program, view);
+  program->SetUniformi("distanceWeights", options.DistanceWeights);
   program->SetUniformi("depthTest", options.DepthTestInPush);
   result.BindForWriting(window);
   this->DrawLevel(window, pass, level);
@@ -155,7 +193,8 @@ vtkScreenPass& vtkPullPushReconstructionOpenGL::GetPass(
       inputs += vtkSurfaceTarget::GetInputDeclarations(input, "coarse");
     }
     pass.reset(new vtkScreenPass("//VTK::System::Dec\n" + inputs +
-      vtkSurfaceTarget::GetOutputDeclarations(output) + (pull ? vtkPullFS : vtkPushFS)));
+      vtkSurfaceTarget::GetOutputDeclarations(output) + vtkPullPushCommon +
+      (pull ? vtkPullFS : vtkPushFS)));
   }
   return *pass;
 }

@@ -23,18 +23,11 @@ class vtkOpenGLRenderWindow;
 class vtkScreenPass;
 class vtkWindow;
 struct vtkPointSurfaceView;
+struct vtkPullPushOptions;
 
 class vtkPullPushReconstructionOpenGL
 {
 public:
-  /**
-   * Departures from the paper; all off is the published algorithm.
-   */
-  struct Options
-  {
-    bool DepthTestInPush = false;
-  };
-
   vtkPullPushReconstructionOpenGL();
   ~vtkPullPushReconstructionOpenGL();
 
@@ -42,8 +35,8 @@ public:
    * Fills `surface` (layer Surface, and Id and Color where `projected` has them) from `projected`
    * within the view's rectangle.
    */
-  void Run(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, const Options& options,
-    vtkSurfaceTarget& projected, vtkSurfaceTarget& surface);
+  void Run(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
+    const vtkPullPushOptions& options, vtkSurfaceTarget& projected, vtkSurfaceTarget& surface);
 
   /**
    * Levels above the finest one, and passes over the screen, of the last run.
@@ -62,10 +55,11 @@ private:
 
   void AllocatePyramid(
     vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, const Layers& layers);
-  void Pull(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& fine,
-    int level);
-  void Push(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, const Options& options,
-    vtkSurfaceTarget& fine, vtkSurfaceTarget& coarse, vtkSurfaceTarget& result, int level);
+  void Pull(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
+    const vtkPullPushOptions& options, vtkSurfaceTarget& fine, int level);
+  void Push(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
+    const vtkPullPushOptions& options, vtkSurfaceTarget& fine, vtkSurfaceTarget& coarse,
+    vtkSurfaceTarget& result, int level);
   vtkScreenPass& GetPass(bool pull, const Layers& input, const Layers& output);
   void DrawLevel(vtkOpenGLRenderWindow* window, vtkScreenPass& pass, int level);
 

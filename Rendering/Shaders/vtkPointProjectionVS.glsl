@@ -16,11 +16,14 @@ uniform float radiusScale;   // from the units of the radii to eye units
 uniform int colorSource;     // 0 none, 1 scalarColor, 2 colorTCoord, 3 tcoord
 uniform int cull;            // 1 drops points that face away, 2 those that face the viewer
 uniform vec2 depthRange;     // eye depths between which the cloud lies
+uniform vec2 targetSize;     // in pixels
+uniform bool subpixelCenters;
+uniform bool centerDepths;   // see vtkPullFS.glsl
 uniform int numberOfClippingPlanes;
 uniform vec4 clippingPlanes[6];
 
 flat out vec4 shape;
-flat out vec2 interval;
+flat out vec4 interval;
 flat out vec4 color;
 flat out uint id;
 
@@ -50,7 +53,6 @@ void main()
   float depth = -position.z;
   float radius = radiusScale * (uniformRadius > 0.0 ? uniformRadius : radiusMC);
   shape = vec4(normal, radius);
-  interval = vec2(depth, depth + radius);
   color = colorSource == 1 ? scalarColor : vec4(colorSource == 2 ? colorTCoord : tcoord, 0.0, 1.0);
   id = uint(gl_VertexID) + 1u;
 
@@ -58,9 +60,17 @@ void main()
   gl_Position = VCDCMatrix * position;
   if (cull == (facesViewer ? 2 : 1) || !isVisible(gl_Position))
   {
+    interval = vec4(0.0);
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     return;
   }
+  // The pixel is chosen here, not by the rasteriser with its own rounding.
+  vec2 window = 0.5 * targetSize * (gl_Position.xy / gl_Position.w + 1.0);
+  vec2 center = floor(window) + 0.5;
+  gl_Position.xy = (2.0 * center / targetSize - 1.0) * gl_Position.w;
+  interval.xy = centerDepths ? vec2(depth, 0.0) : vec2(depth, depth + radius);
+  interval.zw = subpixelCenters ? window - center : vec2(0.0);
+
   // Linear depth over the cloud's own range: the same precision everywhere, whatever the camera's
   // clipping range is.
   float linear = (depth - depthRange.x) / (depthRange.y - depthRange.x);

@@ -3,32 +3,79 @@
 uniform ivec2 coarseBegin; // pixels outside of [begin, end) are invalid
 uniform ivec2 coarseEnd;
 uniform float fineSize;    // pixels of level 0 along a side of a fine pixel
-uniform vec4 pixelToEye;   // xy: eye units a pixel where w is 1; zw: w = z * depth + w
-uniform bool twoSided;     // normals may point to either side
+uniform vec4 eyeRay;       // xy: the ray's direction through the pixel (0, 0); zw: its origin
+uniform vec4 eyeRayStep;   // change of these a pixel of level 0
+uniform bool distanceWeights;
 uniform bool depthTest;    // only what is near the frontmost interval is averaged (not in the paper)
-
-// Whether the ellipse of a coarse pixel, the orthogonal projection of its disc, holds the point
-// that is `offset` pixels of level 0 away from the ellipse's centre.
-bool isInsideEllipse(vec4 shape, vec4 interval, vec2 offset)
-{
-  vec2 eye = offset * pixelToEye.xy * (pixelToEye.z * interval.x + pixelToEye.w);
-  float slope = length(shape.xy);
-  if (slope >= 1e-6)
-  {
-    vec2 minor = shape.xy / slope;
-    eye = vec2(dot(eye, minor) / max(abs(shape.z), 1e-3), dot(eye, vec2(-minor.y, minor.x)));
-  }
-  return dot(eye, eye) <= shape.w * shape.w;
-}
 
 bool isInsideImage(ivec2 coarse)
 {
   return all(greaterThanEqual(coarse, coarseBegin)) && all(lessThan(coarse, coarseEnd));
 }
 
+// Square of the distance of a point from an ellipse's centre, 1 on its edge: the orthogonal
+// projection of a disc, as published. `toCenter` is in pixels of level 0.
+float getEllipseDistance(vec4 shape, vec4 interval, vec2 toCenter)
+{
+  vec2 offset = getEyeOffset(toCenter, interval.x);
+  float slope = length(shape.xy);
+  if (slope >= 1e-6)
+  {
+    vec2 minor = shape.xy / slope;
+    offset =
+      vec2(dot(offset, minor) / max(abs(shape.z), 1e-3), dot(offset, vec2(-minor.y, minor.x)));
+  }
+  return dot(offset, offset) / (shape.w * shape.w);
+}
+
+// The same where the ray through `pixel` (in pixels of level 0) meets the plane of the disc itself,
+// and the depth of that point. Far outside where the ray grazes the plane.
+float getDiscDistance(vec4 shape, vec4 interval, vec2 pixel, vec2 toCenter, out float depth)
+{
+  vec4 ray = eyeRay + vec4(pixel, pixel) * eyeRayStep;
+  vec4 centerRay = ray + vec4(toCenter, toCenter) * eyeRayStep;
+  vec3 center = vec3(centerRay.zw + interval.x * centerRay.xy, -interval.x);
+  vec3 direction = vec3(ray.xy, -1.0);
+  vec3 origin = vec3(ray.zw, 0.0);
+  float slope = dot(shape.xyz, direction);
+  depth = interval.x;
+  if (abs(slope) < 1e-3)
+  {
+    return 4.0;
+  }
+  depth = dot(shape.xyz, center - origin) / slope;
+  vec3 offset = origin + depth * direction - center;
+  return dot(offset, offset) / (shape.w * shape.w);
+}
+
+float getDistance(vec4 shape, vec4 interval, vec2 pixel)
+{
+  float depth;
+  return centerDepths ? getDiscDistance(shape, interval, pixel, interval.zw, depth)
+                      : getEllipseDistance(shape, interval, interval.zw);
+}
+
+bool facesViewer(vec3 normal, vec2 pixel)
+{
+  return dot(normal, vec3(eyeRay.xy + pixel * eyeRayStep.xy, -1.0)) <= 0.0;
+}
+
+// Depth of the surface at a pixel's own centre.
+float getSurfaceDepth(vec4 shape, vec4 interval, vec2 pixel)
+{
+  float depth = interval.x;
+  if (centerDepths &&
+    getDiscDistance(shape, interval, pixel, interval.zw, depth) > 1.5)
+  {
+    return interval.x;
+  }
+  return depth;
+}
+
 void main()
 {
   ivec2 fine = ivec2(gl_FragCoord.xy);
+  vec2 fineCenter = (vec2(fine) + 0.5) * fineSize;
   ivec2 parent = fine >> 1;
   vec4 shape = texelFetch(fineShape, fine, 0);
   vec4 interval = texelFetch(fineInterval, fine, 0);
@@ -39,11 +86,15 @@ void main()
   vec4 color = texelFetch(fineColor, fine, 0);
 #endif
 
+  // The back of a surface seen through a gap in its front: let the front reach twice as far.
+  bool isBack = twoSided && shape.w > 0.0 && !facesViewer(shape.xyz, fineCenter);
   bool keep = false;
   if (shape.w > 0.0)
   {
-    vec2 parentInterval = texelFetch(coarseInterval, parent, 0).xy;
-    keep = interval.x >= parentInterval.x && interval.x <= parentInterval.y;
+    float nearest = getDepthRange(shape, interval).x;
+    vec2 parentRange = getDepthRange(
+      texelFetch(coarseShape, parent, 0), texelFetch(coarseInterval, parent, 0));
+    keep = nearest >= parentRange.x && nearest <= parentRange.y;
   }
   if (!keep)
   {
@@ -51,8 +102,8 @@ void main()
     vec4 shapes[4];
     vec4 intervals[4];
     float weights[4];
-    float frontEnd = 3.4e38;
     float front = 3.4e38;
+    float frontEnd = 3.4e38;
     for (int i = 0; i < 4; ++i)
     {
       ivec2 isNeighbor = ivec2(i & 1, i >> 1);
@@ -63,19 +114,26 @@ void main()
         continue;
       }
       shapes[i] = texelFetch(coarseShape, coarse, 0);
+      if (shapes[i].w <= 0.0)
+      {
+        continue;
+      }
       intervals[i] = texelFetch(coarseInterval, coarse, 0);
       // the displacement becomes relative to the fine pixel
-      vec2 center = (2.0 * vec2(coarse) + 1.0) * fineSize + intervals[i].zw;
-      intervals[i].zw = center - (vec2(fine) + 0.5) * fineSize;
-      if (shapes[i].w > 0.0 && isInsideEllipse(shapes[i], intervals[i], -intervals[i].zw))
+      intervals[i].zw += (2.0 * vec2(coarse) + 1.0) * fineSize - fineCenter;
+      float distance = getDistance(shapes[i], intervals[i], fineCenter);
+      if (distance <= (isBack && facesViewer(shapes[i].xyz, fineCenter) ? 4.0 : 1.0))
       {
         // biquadratic B-spline subdivision: 9, 3, 3, 1 of 16
-        weights[i] = (isNeighbor.x == 0 ? 0.75 : 0.25) * (isNeighbor.y == 0 ? 0.75 : 0.25);
-        if (depthTest && intervals[i].x < front)
+        weights[i] = distanceWeights
+          ? max(pow(max(1.0 - distance, 0.0), 2.0), 1e-6)
+          : (isNeighbor.x == 0 ? 0.75 : 0.25) * (isNeighbor.y == 0 ? 0.75 : 0.25);
+        vec2 range = getDepthRange(shapes[i], intervals[i]);
+        if (depthTest && range.x < front)
         {
-          front = intervals[i].x;
           // an interval is one radius long; a slanted surface runs through two from pixel to pixel
-          frontEnd = 2.0 * intervals[i].y - intervals[i].x;
+          front = range.x;
+          frontEnd = 2.0 * range.y - range.x;
         }
       }
     }
@@ -93,7 +151,7 @@ void main()
 #endif
     for (int i = 0; i < 4; ++i)
     {
-      if (weights[i] == 0.0 || intervals[i].x > frontEnd)
+      if (weights[i] == 0.0 || getDepthRange(shapes[i], intervals[i]).x > frontEnd)
       {
         continue;
       }
@@ -134,7 +192,9 @@ void main()
   }
 
 #ifdef OUT_SURFACE
-  OUT_SURFACE = shape.w > 0.0 ? vec4(shape.xyz, interval.x) : vec4(0.0);
+  OUT_SURFACE = shape.w > 0.0
+    ? vec4(shape.xyz, getSurfaceDepth(shape, interval, fineCenter))
+    : vec4(0.0);
 #else
   OUT_SHAPE = shape;
   OUT_INTERVAL = interval;

@@ -80,6 +80,10 @@ bool Compare(const Scene& scene)
   mapper->SetInputData(MakeCloud(scene.Points));
   mapper->SetScalarRange(-1.0, 1.0);
   mapper->SetScalarVisibility(scene.Colors);
+  mapper->SubpixelCentersOff();
+  mapper->PerspectiveDiscsOff();
+  mapper->DistanceWeightsOff();
+  mapper->UnionRadiiOff();
   mapper->DepthTestInPushOff();
   mapper->RecordPointIdsOn();
   vtkNew<vtkActor> actor;
