@@ -21,6 +21,7 @@
 #include <cfloat>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -92,7 +93,9 @@ struct Grid
   vtkIdType Step[3]; // from a voxel to the next along an axis, in the array
   double Corner[3];  // the first voxel, physical
   double Axes[3][3]; // one step along each axis, physical
-  double AxesInverse[3][3];
+  double Scale;      // the longest axis; lengths below are relative to it
+  double RelativeAxes[3][3];
+  double RelativeInverse[3][3]; // [axis][coordinate]: gradients from a step to physical
   double LargestCoordinate;
   double SmallestSpacing;
 
@@ -104,21 +107,22 @@ struct Grid
     const double first[4] = { double(extent[0]), double(extent[2]), double(extent[4]), 1.0 };
     double corner[4];
     toPhysical->MultiplyPoint(first, corner);
-    double matrix[3][3];
     for (int c = 0; c < 3; ++c)
     {
       this->Dims[c] = extent[2 * c + 1] - extent[2 * c] + 1;
       this->Corner[c] = corner[c];
       for (int axis = 0; axis < 3; ++axis)
       {
-        matrix[c][axis] = this->Axes[axis][c] = toPhysical->GetElement(c, axis);
+        this->Axes[axis][c] = toPhysical->GetElement(c, axis);
       }
     }
     this->Step[0] = 1;
     this->Step[1] = this->Dims[0];
     this->Step[2] = this->Step[1] * this->Dims[1];
-    this->SmallestSpacing = std::min(
-      { vtkMath::Norm(this->Axes[0]), vtkMath::Norm(this->Axes[1]), vtkMath::Norm(this->Axes[2]) });
+    const double lengths[3] = { vtkMath::Norm(this->Axes[0]), vtkMath::Norm(this->Axes[1]),
+      vtkMath::Norm(this->Axes[2]) };
+    this->SmallestSpacing = *std::min_element(lengths, lengths + 3);
+    this->Scale = *std::max_element(lengths, lengths + 3);
     double bounds[6];
     image->GetBounds(bounds);
     this->LargestCoordinate = 0.0;
@@ -126,11 +130,23 @@ struct Grid
     {
       this->LargestCoordinate = std::max(this->LargestCoordinate, std::abs(bound));
     }
+    if (!(this->SmallestSpacing > 0.0) || !std::isfinite(this->Scale))
+    {
+      return false;
+    }
+    double matrix[3][3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        this->RelativeAxes[axis][c] = matrix[c][axis] = this->Axes[axis][c] / this->Scale;
+      }
+    }
     if (vtkMath::Determinant3x3(matrix) == 0.0)
     {
       return false;
     }
-    vtkMath::Invert3x3(matrix, this->AxesInverse);
+    vtkMath::Invert3x3(matrix, this->RelativeInverse);
     return true;
   }
 
@@ -165,6 +181,15 @@ struct Output
   vtkDoubleArray* Scalars; // or null
   ArrayList* Attributes;   // or null
 
+  // The arrays' memory, in turn; of the first two, one is null.
+  float* FloatPoint = nullptr;
+  double* DoublePoint = nullptr;
+  float* Normal = nullptr;
+  float* Radius = nullptr;
+  double* Scalar = nullptr;
+
+  bool SinglePrecision() const { return this->Points->GetDataType() == VTK_FLOAT; }
+
   void SetNumberOfPoints(vtkIdType count)
   {
     // Resize() keeps what earlier isovalues have written.
@@ -181,8 +206,49 @@ struct Output
     {
       this->Attributes->Realloc(count);
     }
+    void* points = this->Points->GetVoidPointer(0);
+    this->FloatPoint = this->SinglePrecision() ? static_cast<float*>(points) : nullptr;
+    this->DoublePoint = this->SinglePrecision() ? nullptr : static_cast<double*>(points);
+    this->Normal = this->Normals->GetPointer(0);
+    this->Radius = this->Radii->GetPointer(0);
+    this->Scalar = this->Scalars ? this->Scalars->GetPointer(0) : nullptr;
   }
 };
+
+//------------------------------------------------------------------------------
+// What the corners inside a cell (bit c: corner c; bit a of c: the upper one along axis a) tell of
+// the crossings on its twelve edges.
+struct CellCase
+{
+  int Count;
+  int CountAtUpper[3]; // those on edges across an axis, at its upper end
+};
+
+// The lower corners of the four edges along an axis.
+constexpr int LowerCorners[3][4] = { { 0, 2, 4, 6 }, { 0, 1, 4, 5 }, { 0, 1, 2, 3 } };
+
+std::vector<CellCase> MakeCellCases()
+{
+  std::vector<CellCase> cases(256, CellCase{ 0, { 0, 0, 0 } });
+  for (int inside = 0; inside < 256; ++inside)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (int corner : LowerCorners[axis])
+      {
+        if (((inside >> corner) ^ (inside >> (corner + (1 << axis)))) & 1)
+        {
+          ++cases[inside].Count;
+          for (int across : { (axis + 1) % 3, (axis + 2) % 3 })
+          {
+            cases[inside].CountAtUpper[across] += (corner >> across) & 1;
+          }
+        }
+      }
+    }
+  }
+  return cases;
+}
 
 //------------------------------------------------------------------------------
 // Samples isosurfaces of one array, one isovalue after the other, in three threaded passes over
@@ -196,17 +262,24 @@ public:
     : G(grid)
     , Values(values)
     , Out(output)
-    , NormalSign(flipNormals ? 1.0 : -1.0)
+    , FlipNormals(flipNormals)
     , RowWords((grid.Dims[0] + WordBits - 1) / WordBits)
     , Inside((this->RowWords + 1) * grid.NumberOfRows())
     , RowStart(grid.NumberOfRows() + 1)
-    , SinglePrecision(output.Points->GetDataType() == VTK_FLOAT)
+    , Cases(MakeCellCases())
+    , SinglePrecision(output.SinglePrecision())
   {
     const double resolution =
-      (this->SinglePrecision ? FLT_EPSILON : DBL_EPSILON) * grid.LargestCoordinate;
+      (output.SinglePrecision() ? FLT_EPSILON : DBL_EPSILON) * grid.LargestCoordinate;
     for (int axis = 0; axis < 3; ++axis)
     {
       this->Near[axis] = std::min(0.25, 4.0 * resolution / vtkMath::Norm(grid.Axes[axis]));
+      for (int c = 0; c < 3; ++c)
+      {
+        this->RelativeAxes[axis][c] = static_cast<float>(grid.RelativeAxes[axis][c]);
+        this->GradientToNormal[axis][c] =
+          static_cast<Real>((flipNormals ? 1.0 : -1.0) * grid.RelativeInverse[axis][c]);
+      }
     }
   }
 
@@ -217,24 +290,33 @@ public:
   bool Sample(vtkAlgorithm* filter, double isovalue, double progress, double progressEnd);
 
 private:
-  // Values of these types are compared and interpolated in single precision without loss of a
-  // decision; for the others double is needed.
-  static constexpr bool Small = sizeof(T) <= 4;
-  using Real = typename std::conditional<Small, float, double>::type;
+  // Single precision holds values of these types without loss.
+  using Real =
+    typename std::conditional<sizeof(T) <= 2 || std::is_same<T, float>::value, float, double>::type;
 
   struct Crossings
   {
     Word Axis[3];
   };
 
+  // The centres of the cells below and above a slice of voxels.
+  struct CellSlices
+  {
+    const float* Below;
+    const float* Above;
+  };
+
   const Grid& G;
   const T* Values;
   Output& Out;
-  double NormalSign;
+  bool FlipNormals;
+  float RelativeAxes[3][3];
+  Real GradientToNormal[3][3];
   int RowWords;
   std::vector<Word> Inside; // rows of RowWords words and one empty one
   std::vector<Word> Finite; // likewise; empty when all are
   std::vector<vtkIdType> RowStart;
+  std::vector<CellCase> Cases;
   bool SinglePrecision;
   double Near[3]; // crossings this close to a voxel may be equal once rounded
   double Isovalue = 0.0;
@@ -261,22 +343,28 @@ private:
   void MarkInside(int k);
   void CountRows(int k);
   void WriteSlices(int begin, int end) const;
-  void WriteRow(int j, int k, const float* centresBelow, const float* centresAbove) const;
-  void WritePoint(vtkIdType id, const Crossing& crossing, const double gradient[3],
-    const float* centresBelow, const float* centresAbove) const;
+  void WriteRow(int j, int k, const CellSlices& centres) const;
+  template <int Axis>
+  void WritePoint(vtkIdType& id, Crossing& crossing, const T* value, const Real gradient[3],
+    const CellSlices& centres) const;
 
   Crossings RowCrossings(int j, int k, int w) const;
   bool IsCrossed(const int voxel[3], int axis) const;
-  double Interpolate(vtkIdType voxel, int axis) const;
+  double Interpolate(const T* value, int axis) const;
   void Position(const Crossing& crossing, double x[3]) const;
   bool IsNearVoxel(const Crossing& crossing) const;
   int FindCoincident(const Crossing& crossing, Crossing coincident[6]) const;
   bool IsWritten(const Crossing& crossing) const;
-  double Difference(const T* value, int index, int axis) const;
-  void Gradient(const int ijk[3], double gradient[3]) const;
+  Real Difference(const T* value, int index, int axis) const;
+  void Gradient(const T* value, const int ijk[3], Real gradient[3]) const;
+  template <int Axis>
+  void Normal(
+    const Crossing& crossing, const T* value, const Real gradient[3], float normal[3]) const;
   void CellCentres(int k, float* centres) const;
   void CellCentre(const T* value, float centre[3]) const;
-  double Radius(const Crossing& crossing, int k, const float* below, const float* above) const;
+  template <int Axis>
+  double Radius(const Crossing& crossing, int k, const CellSlices& centres) const;
+  double CoincidentRadius(const Crossing& crossing, const CellSlices& centres) const;
 };
 
 //------------------------------------------------------------------------------
@@ -317,8 +405,8 @@ vtkIdType Sampler<T>::FindNotFinite(vtkAlgorithm* filter)
       for (vtkIdType row = begin * this->G.Dims[1]; row < end * this->G.Dims[1]; ++row)
       {
         Word* words = this->Finite.data() + (this->RowWords + 1) * row;
-        this->MarkRow(this->Values + row * this->G.Step[1], words,
-          [](T value) { return value - value == 0; });
+        this->MarkRow(
+          this->Values + row * this->G.Step[1], words, [](T value) { return value - value == 0; });
         for (int w = 0; w < this->RowWords; ++w)
         {
           count += CountBits(words[w]);
@@ -338,13 +426,28 @@ vtkIdType Sampler<T>::FindNotFinite(vtkAlgorithm* filter)
 template <typename T>
 void Sampler<T>::MarkInside(int k)
 {
+  const double isovalue = this->Isovalue;
   for (int j = 0; j < this->G.Dims[1]; ++j)
   {
     const vtkIdType row = this->Row(j, k);
-    const double isovalue = this->Isovalue;
-    this->MarkRow(this->Values + row * this->G.Step[1],
-      this->Inside.data() + (this->RowWords + 1) * row,
-      [isovalue](T value) { return static_cast<double>(value) >= isovalue; });
+    const T* values = this->Values + row * this->G.Step[1];
+    Word* words = this->Inside.data() + (this->RowWords + 1) * row;
+    if (std::is_integral<T>::value && sizeof(T) < sizeof(int))
+    {
+      // The same as below, several times faster: comparing doubles takes wide vectors.
+      const int least = static_cast<int>(
+        std::ceil(std::min(std::max(isovalue, -double(1 << 20)), double(1 << 20))));
+      const bool none = least > static_cast<int>(std::numeric_limits<T>::max());
+      const T threshold =
+        static_cast<T>(std::max(least, static_cast<int>(std::numeric_limits<T>::min())));
+      this->MarkRow(
+        values, words, [none, threshold](T value) { return !none && value >= threshold; });
+    }
+    else
+    {
+      this->MarkRow(
+        values, words, [isovalue](T value) { return static_cast<double>(value) >= isovalue; });
+    }
   }
 }
 
@@ -387,7 +490,7 @@ void Sampler<T>::CountRows(int k)
         for (Word bits = crossings.Axis[axis]; bits; bits &= bits - 1)
         {
           Crossing crossing = { { w * WordBits + LowestBit(bits), j, k }, axis, 0.0 };
-          crossing.T = this->Interpolate(this->G.Voxel(crossing.Voxel), axis);
+          crossing.T = this->Interpolate(this->Values + this->G.Voxel(crossing.Voxel), axis);
           count += this->IsWritten(crossing);
         }
       }
@@ -398,10 +501,10 @@ void Sampler<T>::CountRows(int k)
 
 //------------------------------------------------------------------------------
 template <typename T>
-double Sampler<T>::Interpolate(vtkIdType voxel, int axis) const
+double Sampler<T>::Interpolate(const T* value, int axis) const
 {
-  const double a = static_cast<double>(this->Values[voxel]) - this->Isovalue;
-  const double b = static_cast<double>(this->Values[voxel + this->G.Step[axis]]) - this->Isovalue;
+  const double a = static_cast<double>(*value) - this->Isovalue;
+  const double b = static_cast<double>(value[this->G.Step[axis]]) - this->Isovalue;
   // The order of the arguments turns an undefined quotient of overflowed differences into 0.
   return std::min(1.0, std::max(0.0, a / (a - b)));
 }
@@ -468,7 +571,7 @@ int Sampler<T>::FindCoincident(const Crossing& crossing, Crossing coincident[6])
     {
       continue;
     }
-    other.T = this->Interpolate(this->G.Voxel(other.Voxel), axis);
+    other.T = this->Interpolate(this->Values + this->G.Voxel(other.Voxel), axis);
     double y[3];
     this->Position(other, y);
     if (std::equal(x, x + 3, y))
@@ -493,29 +596,28 @@ bool Sampler<T>::IsWritten(const Crossing& crossing) const
 }
 
 //------------------------------------------------------------------------------
+// Central where both neighbours are there and finite.
 template <typename T>
-double Sampler<T>::Difference(const T* value, int index, int axis) const
+typename Sampler<T>::Real Sampler<T>::Difference(const T* value, int index, int axis) const
 {
   const vtkIdType step = this->G.Step[axis];
-  const bool hasLower = index > 0;
-  const bool hasUpper = index + 1 < this->G.Dims[axis];
-  const double here = static_cast<double>(*value);
-  const double lower = hasLower ? static_cast<double>(value[-step]) : here;
-  const double upper = hasUpper ? static_cast<double>(value[step]) : here;
-  const double difference = (hasLower && hasUpper ? 0.5 : 1.0) * (upper - lower);
+  const Real here = static_cast<Real>(*value);
+  const Real lower = index > 0 ? static_cast<Real>(value[-step]) : here;
+  const Real upper = index + 1 < this->G.Dims[axis] ? static_cast<Real>(value[step]) : here;
+  const bool central = index > 0 && index + 1 < this->G.Dims[axis];
+  const Real difference = (central ? Real(0.5) : Real(1)) * (upper - lower);
   if (std::is_floating_point<T>::value && !std::isfinite(difference))
   {
-    return std::isfinite(upper) ? upper - here : std::isfinite(lower) ? here - lower : 0.0;
+    return std::isfinite(upper) ? upper - here : std::isfinite(lower) ? here - lower : Real(0);
   }
   return difference;
 }
 
 //------------------------------------------------------------------------------
-// In differences a voxel, not yet physical.
+// In differences a step of the grid, not yet physical.
 template <typename T>
-void Sampler<T>::Gradient(const int ijk[3], double gradient[3]) const
+void Sampler<T>::Gradient(const T* value, const int ijk[3], Real gradient[3]) const
 {
-  const T* value = this->Values + this->G.Voxel(ijk);
   for (int axis = 0; axis < 3; ++axis)
   {
     gradient[axis] = this->Difference(value, ijk[axis], axis);
@@ -523,45 +625,49 @@ void Sampler<T>::Gradient(const int ijk[3], double gradient[3]) const
 }
 
 //------------------------------------------------------------------------------
-// The mean of the crossings of a cell, in steps of the grid from the cell's first voxel.
+// The mean of the crossings of a cell, from the cell's first voxel, in relative lengths. Any point
+// will do for radii that cover the surface, so rounding and values that are not finite may shift
+// it.
 template <typename T>
 void Sampler<T>::CellCentre(const T* value, float centre[3]) const
 {
-  Real corner[8]; // bit a of the index: the upper one along axis a
-  Real inside[8];
-  Real finite[8];
+  Real corner[8];
+  int inside = 0;
   for (int c = 0; c < 8; ++c)
   {
     const vtkIdType offset =
       (c & 1) + ((c & 2) ? this->G.Step[1] : 0) + ((c & 4) ? this->G.Step[2] : 0);
-    const double difference = static_cast<double>(value[offset]) - this->Isovalue;
-    corner[c] = static_cast<Real>(0.5 * difference); // half, since floats may overflow otherwise
-    inside[c] = difference >= 0.0;
-    finite[c] = !std::is_floating_point<T>::value || std::isfinite(difference);
+    corner[c] = static_cast<Real>(value[offset]) - static_cast<Real>(this->Isovalue);
+    inside |= (corner[c] >= 0) << c;
   }
-  static const int first[3][4] = { { 0, 2, 4, 6 }, { 0, 1, 4, 5 }, { 0, 1, 2, 3 } };
-  Real count = 0;
-  Real sum[3] = { 0, 0, 0 };
+  Real lower[12];
+  Real upper[12];
+  for (int edge = 0; edge < 12; ++edge)
+  {
+    lower[edge] = corner[LowerCorners[edge / 4][edge % 4]];
+    upper[edge] = corner[LowerCorners[edge / 4][edge % 4] + (1 << (edge / 4))];
+  }
+  Real t[12];
+  for (int edge = 0; edge < 12; ++edge)
+  {
+    const Real a = lower[edge];
+    const Real b = upper[edge];
+    const Real ratio = std::min(Real(1), std::max(Real(0), a / (a - b)));
+    t[edge] = (a >= 0) != (b >= 0) ? ratio : Real(0);
+  }
+  const CellCase& cell = this->Cases[inside];
+  const float scale = 1.0f / std::max(cell.Count, 1);
+  float step[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    const int next = (axis + 1) % 3;
-    const int last = (axis + 2) % 3;
-    for (int edge = 0; edge < 4; ++edge)
-    {
-      const int a = first[axis][edge];
-      const int b = a + (1 << axis);
-      if (inside[a] != inside[b] && finite[a] && finite[b])
-      {
-        count += 1;
-        sum[axis] += corner[a] / (corner[a] - corner[b]);
-        sum[next] += (a >> next) & 1;
-        sum[last] += (a >> last) & 1;
-      }
-    }
+    const Real* along = t + 4 * axis;
+    step[axis] = scale *
+      static_cast<float>(cell.CountAtUpper[axis] + ((along[0] + along[1]) + (along[2] + along[3])));
   }
-  for (int axis = 0; axis < 3; ++axis)
+  for (int c = 0; c < 3; ++c)
   {
-    centre[axis] = static_cast<float>(sum[axis] / count);
+    centre[c] = step[0] * this->RelativeAxes[0][c] + step[1] * this->RelativeAxes[1][c] +
+      step[2] * this->RelativeAxes[2][c];
   }
 }
 
@@ -593,133 +699,179 @@ void Sampler<T>::CellCentres(int k, float* centres) const
 }
 
 //------------------------------------------------------------------------------
+// The largest distance from a crossing to the centres of the cells that share its edge.
 template <typename T>
-double Sampler<T>::Radius(
-  const Crossing& crossing, int k, const float* below, const float* above) const
+template <int Axis>
+double Sampler<T>::Radius(const Crossing& crossing, int k, const CellSlices& centres) const
 {
-  const int b = (crossing.Axis + 1) % 3;
-  const int c = (crossing.Axis + 2) % 3;
-  double largest = 0.0;
+  constexpr int B = (Axis + 1) % 3;
+  constexpr int C = (Axis + 2) % 3;
+  const float t = static_cast<float>(crossing.T);
+  float largest = 0.0f;
   for (int side = 0; side < 4; ++side)
   {
     int cell[3] = { crossing.Voxel[0], crossing.Voxel[1], crossing.Voxel[2] };
-    cell[b] -= side & 1;
-    cell[c] -= side >> 1;
-    if (cell[b] < 0 || cell[c] < 0 || cell[b] + 1 >= this->G.Dims[b] ||
-      cell[c] + 1 >= this->G.Dims[c])
+    cell[B] -= side & 1;
+    cell[C] -= side >> 1;
+    if (cell[B] < 0 || cell[C] < 0 || cell[B] + 1 >= this->G.Dims[B] ||
+      cell[C] + 1 >= this->G.Dims[C])
     {
       continue;
     }
-    const float* centre =
-      (cell[2] < k ? below : above) + 3 * (cell[0] + cell[1] * vtkIdType(this->G.Dims[0] - 1));
-    double d[3];
-    d[crossing.Axis] = crossing.T - centre[crossing.Axis];
-    d[b] = (side & 1) - centre[b];
-    d[c] = (side >> 1) - centre[c];
-    double distance2 = 0.0;
-    for (int i = 0; i < 3; ++i)
+    const float* centre = (cell[2] < k ? centres.Below : centres.Above) +
+      3 * (cell[0] + cell[1] * static_cast<vtkIdType>(this->G.Dims[0] - 1));
+    float distance2 = 0.0f;
+    for (int c = 0; c < 3; ++c)
     {
-      const double x =
-        d[0] * this->G.Axes[0][i] + d[1] * this->G.Axes[1][i] + d[2] * this->G.Axes[2][i];
-      distance2 += x * x;
+      const float d = t * this->RelativeAxes[Axis][c] + (side & 1) * this->RelativeAxes[B][c] +
+        (side >> 1) * this->RelativeAxes[C][c] - centre[c];
+      distance2 += d * d;
     }
     largest = std::max(largest, distance2);
   }
-  return std::sqrt(largest);
+  return this->G.Scale * std::sqrt(largest);
+}
+
+//------------------------------------------------------------------------------
+// The radius that covers what the radii of all the crossings at one position would.
+template <typename T>
+double Sampler<T>::CoincidentRadius(const Crossing& crossing, const CellSlices& centres) const
+{
+  Crossing coincident[6];
+  const int count = this->FindCoincident(crossing, coincident);
+  const int k = crossing.Voxel[2];
+  double radius = 0.0;
+  for (const Crossing* c = coincident; c < coincident + count; ++c)
+  {
+    radius = std::max(radius,
+      c->Axis == 0     ? this->Radius<0>(*c, k, centres)
+        : c->Axis == 1 ? this->Radius<1>(*c, k, centres)
+                       : this->Radius<2>(*c, k, centres));
+  }
+  return std::max(radius, 0.01 * this->G.SmallestSpacing);
 }
 
 //------------------------------------------------------------------------------
 // Scales to a length of 1; false when that is not possible.
-bool Normalize(double v[3])
+template <typename Real>
+bool Normalize(Real v[3])
 {
-  // Squares of lengths beyond these overflow or lose digits.
-  const double largest = std::max({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
-  if (!(largest > 0.0) || !std::isfinite(largest))
+  Real length2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  // Beyond these bounds squares have overflowed or lost digits.
+  const Real tiny = std::numeric_limits<Real>::min() / std::numeric_limits<Real>::epsilon();
+  if (!(length2 > tiny && length2 < Real(1) / tiny))
   {
-    return false;
+    const Real largest = std::max({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
+    if (!(largest > 0) || !std::isfinite(largest))
+    {
+      return false;
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      v[c] /= largest;
+    }
+    length2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
   }
-  if (largest < 1e-140 || largest > 1e140)
+  const Real scale = Real(1) / std::sqrt(length2);
+  for (int c = 0; c < 3; ++c)
   {
-    vtkMath::MultiplyScalar(v, 1.0 / largest);
+    v[c] *= scale;
   }
-  vtkMath::MultiplyScalar(v, 1.0 / std::sqrt(vtkMath::Dot(v, v)));
   return true;
 }
 
 //------------------------------------------------------------------------------
 template <typename T>
-void Sampler<T>::WritePoint(vtkIdType id, const Crossing& crossing, const double gradient[3],
-  const float* centresBelow, const float* centresAbove) const
+template <int Axis>
+void Sampler<T>::Normal(
+  const Crossing& crossing, const T* value, const Real gradient[3], float normal[3]) const
 {
-  const int k = crossing.Voxel[2];
-  double radius = this->Radius(crossing, k, centresBelow, centresAbove);
-  if (this->IsNearVoxel(crossing))
-  {
-    Crossing coincident[6];
-    const int count = this->FindCoincident(crossing, coincident);
-    for (int other = 1; other < count; ++other)
-    {
-      radius = std::max(radius, this->Radius(coincident[other], k, centresBelow, centresAbove));
-    }
-  }
-
-  int ijk[3] = { crossing.Voxel[0], crossing.Voxel[1], crossing.Voxel[2] };
-  const vtkIdType voxel = this->G.Voxel(ijk);
-  ++ijk[crossing.Axis];
-  double next[3];
-  this->Gradient(ijk, next);
-  double g[3];
+  const int next[3] = { crossing.Voxel[0] + (Axis == 0), crossing.Voxel[1] + (Axis == 1),
+    crossing.Voxel[2] + (Axis == 2) };
+  Real g[3];
+  this->Gradient(value + this->G.Step[Axis], next, g);
+  const Real t = static_cast<Real>(crossing.T);
   for (int axis = 0; axis < 3; ++axis)
   {
-    g[axis] = gradient[axis] + crossing.T * (next[axis] - gradient[axis]);
+    g[axis] = gradient[axis] + t * (g[axis] - gradient[axis]);
   }
-  double normal[3];
+  Real n[3];
   for (int c = 0; c < 3; ++c)
   {
-    normal[c] = this->NormalSign *
-      (g[0] * this->G.AxesInverse[0][c] + g[1] * this->G.AxesInverse[1][c] +
-        g[2] * this->G.AxesInverse[2][c]);
+    n[c] = g[0] * this->GradientToNormal[0][c] + g[1] * this->GradientToNormal[1][c] +
+      g[2] * this->GradientToNormal[2][c];
   }
-  if (!Normalize(normal))
+  if (!Normalize(n))
   {
-    const bool outward = static_cast<double>(this->Values[voxel]) >= this->Isovalue;
-    std::copy_n(this->G.Axes[crossing.Axis], 3, normal);
-    vtkMath::MultiplyScalar(normal, outward ? -this->NormalSign : this->NormalSign);
-    Normalize(normal);
+    const bool insideFirst = static_cast<double>(*value) >= this->Isovalue;
+    for (int c = 0; c < 3; ++c)
+    {
+      n[c] = (insideFirst == this->FlipNormals ? -1 : 1) * this->RelativeAxes[Axis][c];
+    }
+    Normalize(n);
   }
+  std::copy_n(n, 3, normal);
+}
 
+//------------------------------------------------------------------------------
+// Writes the point on the edge from a voxel, if it is to be written, and counts it.
+template <typename T>
+template <int Axis>
+void Sampler<T>::WritePoint(vtkIdType& id, Crossing& crossing, const T* value,
+  const Real gradient[3], const CellSlices& centres) const
+{
+  crossing.Axis = Axis;
+  crossing.T = this->Interpolate(value, Axis);
+  double radius;
+  if (!this->IsNearVoxel(crossing))
+  {
+    radius = this->Radius<Axis>(crossing, crossing.Voxel[2], centres);
+  }
+  else if (this->IsWritten(crossing))
+  {
+    radius = this->CoincidentRadius(crossing, centres);
+  }
+  else
+  {
+    return;
+  }
   double x[3];
   this->Position(crossing, x);
-  void* points = this->Out.Points->GetVoidPointer(0);
+  this->Normal<Axis>(crossing, value, gradient, this->Out.Normal + 3 * id);
   for (int c = 0; c < 3; ++c)
   {
-    if (this->SinglePrecision)
+    if (this->Out.FloatPoint)
     {
-      static_cast<float*>(points)[3 * id + c] = static_cast<float>(x[c]);
+      this->Out.FloatPoint[3 * id + c] = static_cast<float>(x[c]);
     }
     else
     {
-      static_cast<double*>(points)[3 * id + c] = x[c];
+      this->Out.DoublePoint[3 * id + c] = x[c];
     }
-    this->Out.Normals->GetPointer(3 * id)[c] = static_cast<float>(normal[c]);
   }
-  *this->Out.Radii->GetPointer(id) = static_cast<float>(radius);
-  if (this->Out.Scalars)
+  this->Out.Radius[id] = static_cast<float>(radius);
+  if (this->Out.Scalar)
   {
-    *this->Out.Scalars->GetPointer(id) = this->Isovalue;
+    this->Out.Scalar[id] = this->Isovalue;
   }
   if (this->Out.Attributes)
   {
-    this->Out.Attributes->InterpolateEdge(
-      voxel, voxel + this->G.Step[crossing.Axis], crossing.T, id);
+    const vtkIdType voxel = value - this->Values;
+    this->Out.Attributes->InterpolateEdge(voxel, voxel + this->G.Step[Axis], crossing.T, id);
   }
+  ++id;
 }
 
 //------------------------------------------------------------------------------
 template <typename T>
-void Sampler<T>::WriteRow(int j, int k, const float* centresBelow, const float* centresAbove) const
+void Sampler<T>::WriteRow(int j, int k, const CellSlices& centres) const
 {
-  vtkIdType id = this->RowStart[this->Row(j, k)];
+  const vtkIdType row = this->Row(j, k);
+  vtkIdType id = this->RowStart[row];
+  if (id == this->RowStart[row + 1])
+  {
+    return;
+  }
   for (int w = 0; w < this->RowWords; ++w)
   {
     const Crossings crossings = this->RowCrossings(j, k, w);
@@ -728,19 +880,20 @@ void Sampler<T>::WriteRow(int j, int k, const float* centresBelow, const float* 
     {
       const int bit = LowestBit(bits);
       Crossing crossing = { { w * WordBits + bit, j, k }, 0, 0.0 };
-      double gradient[3];
-      this->Gradient(crossing.Voxel, gradient);
-      for (crossing.Axis = 0; crossing.Axis < 3; ++crossing.Axis)
+      const T* value = this->Values + row * this->G.Step[1] + crossing.Voxel[0];
+      Real gradient[3];
+      this->Gradient(value, crossing.Voxel, gradient);
+      if ((crossings.Axis[0] >> bit) & 1)
       {
-        if (!((crossings.Axis[crossing.Axis] >> bit) & 1))
-        {
-          continue;
-        }
-        crossing.T = this->Interpolate(this->G.Voxel(crossing.Voxel), crossing.Axis);
-        if (this->IsWritten(crossing))
-        {
-          this->WritePoint(id++, crossing, gradient, centresBelow, centresAbove);
-        }
+        this->WritePoint<0>(id, crossing, value, gradient, centres);
+      }
+      if ((crossings.Axis[1] >> bit) & 1)
+      {
+        this->WritePoint<1>(id, crossing, value, gradient, centres);
+      }
+      if ((crossings.Axis[2] >> bit) & 1)
+      {
+        this->WritePoint<2>(id, crossing, value, gradient, centres);
       }
     }
   }
@@ -765,7 +918,7 @@ void Sampler<T>::WriteSlices(int begin, int end) const
     }
     for (int j = 0; j < this->G.Dims[1]; ++j)
     {
-      this->WriteRow(j, k, below.get(), above.get());
+      this->WriteRow(j, k, CellSlices{ below.get(), above.get() });
     }
   }
 }
