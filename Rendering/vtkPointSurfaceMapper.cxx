@@ -363,8 +363,7 @@ double GetLargestStretch(vtkMatrix4x4* matrix)
 }
 
 /// Sets the view's rectangle and range of depth from the cloud's bounds in model coordinates.
-void SetExtent(
-  vtkPointSurfaceView& view, vtkMatrix4x4* modelToEye, const double bounds[6], double meanRadius)
+void SetExtent(vtkPointSurfaceView& view, vtkMatrix4x4* modelToEye, const double bounds[6])
 {
   view.Rectangle = { 0, 0, view.Size[0], view.Size[1] };
   double nearest = VTK_DOUBLE_MAX;
@@ -391,7 +390,7 @@ void SetExtent(
 
   const auto& m = view.VCDC;
   const double middleW = std::max(m[15] - 0.5 * m[11] * (nearest + farthest), 1e-30);
-  view.TypicalRadius = 0.5 * meanRadius * view.Size[1] * std::abs(m[5]) / middleW;
+  view.TypicalRadius = 0.5 * view.MeanRadius * view.Size[1] * std::abs(m[5]) / middleW;
   const double nearestW = m[15] - m[11] * nearest;
   if (nearestW <= 1e-6 * (m[15] - m[11] * farthest))
   {
@@ -494,8 +493,8 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(vtkRenderer* renderer, vtkAct
 
   view.RadiusScale = this->RadiusScale * GetLargestStretch(modelToEye);
   view.LargestRadius = view.RadiusScale * this->Internals->Points.GetLargestRadius();
-  SetExtent(view, modelToEye, this->Internals->Points.GetBounds(),
-    view.RadiusScale * this->Internals->Points.GetMeanRadius());
+  view.MeanRadius = view.RadiusScale * this->Internals->Points.GetMeanRadius();
+  SetExtent(view, modelToEye, this->Internals->Points.GetBounds());
   return view;
 }
 

@@ -39,6 +39,7 @@ struct vtkPointSurfaceView
   std::array<int, 4> Rectangle{};     ///< x, y, width, height: nothing is drawn outside
   std::array<double, 2> DepthRange{}; ///< eye depth between which all points lie
   double LargestRadius = 0.0;         ///< in eye units
+  double MeanRadius = 0.0;            ///< in eye units
   double TypicalRadius = 0.0;         ///< in pixels, amid the cloud
 
   bool IsParallel() const { return this->VCDC[11] == 0.0; }

@@ -48,6 +48,7 @@ void vtkPullPushMapper::MakeSurfaceBuffer(
   options.DistanceWeights = this->DistanceWeights;
   options.DepthTestInPush = this->DepthTestInPush;
   options.UnionRadii = this->UnionRadii;
+  options.FillPixels = this->FillPixels;
   vtkPointProjectionOptions projection;
   projection.SubpixelCenters = options.SubpixelCenters;
   projection.CenterDepths = options.PerspectiveDiscs;
@@ -108,5 +109,6 @@ void vtkPullPushMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PerspectiveDiscs: " << this->PerspectiveDiscs << "\n";
   os << indent << "DistanceWeights: " << this->DistanceWeights << "\n";
   os << indent << "UnionRadii: " << this->UnionRadii << "\n";
+  os << indent << "FillPixels: " << this->FillPixels << "\n";
   os << indent << "DepthTestInPush: " << this->DepthTestInPush << "\n";
 }

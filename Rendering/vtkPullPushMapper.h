@@ -69,6 +69,17 @@ public:
 
   ///@{
   /**
+   * Fill single pixels that are empty, or (with culling off) show the back of a surface through a
+   * gap in its front, by the masks of Rosenthal and Linsen 2008 (section 6); this paper leaves them
+   * as they are. Default on.
+   */
+  vtkSetMacro(FillPixels, bool);
+  vtkGetMacro(FillPixels, bool);
+  vtkBooleanMacro(FillPixels, bool);
+  ///@}
+
+  ///@{
+  /**
    * In the push phase too, average only pixels near the frontmost one (within twice its depth
    * interval), much as the pull phase does; the paper (section 3.3) averages all of them, which
    * mixes two surfaces at their borders. Default on.
@@ -105,6 +116,7 @@ protected:
   bool PerspectiveDiscs = true;
   bool DistanceWeights = true;
   bool UnionRadii = true;
+  bool FillPixels = true;
   bool DepthTestInPush = true;
 
 private:

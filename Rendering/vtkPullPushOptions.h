@@ -16,6 +16,7 @@ struct vtkPullPushOptions
   bool DistanceWeights = false;
   bool DepthTestInPush = false;
   bool UnionRadii = false;
+  bool FillPixels = false;
 };
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPullPushReconstructionOpenGL.h"
 
+#include "vtkFillFS.h"
 #include "vtkPointSurfaceView.h"
 #include "vtkPullFS.h"
 #include "vtkPullPushCommon.h"
@@ -87,12 +88,22 @@ void vtkPullPushReconstructionOpenGL::Run(vtkOpenGLRenderWindow* window,
   {
     this->Pull(window, view, options, pulled(level - 1), level);
   }
+  const bool fill = options.FillPixels;
+  if (fill)
+  {
+    this->Unfilled.Allocate(window, view.Size[0], view.Size[1], surface.GetLayers());
+  }
+  vtkSurfaceTarget& pushed = fill ? this->Unfilled : surface;
   for (int level = this->Levels - 1; level >= 0; --level)
   {
     const bool coarsest = level + 1 == this->Levels;
     this->Push(window, view, options, pulled(level),
       coarsest ? pulled(level + 1) : *this->Pushed[level],
-      level == 0 ? surface : *this->Pushed[level - 1], level);
+      level == 0 ? pushed : *this->Pushed[level - 1], level);
+  }
+  if (fill)
+  {
+    this->Fill(window, view, this->Unfilled, surface);
   }
 }
 
@@ -128,7 +139,7 @@ void vtkPullPushReconstructionOpenGL::Pull(vtkOpenGLRenderWindow* window,
   int level)
 {
   vtkSurfaceTarget& coarse = *this->Pulled[level - 1];
-  vtkScreenPass& pass = this->GetPass(true, fine.GetLayers(), coarse.GetLayers());
+  vtkScreenPass& pass = this->GetPass(PullPass, fine.GetLayers(), coarse.GetLayers());
   vtkShaderProgram* program = pass.Ready(window);
   if (!program)
   {
@@ -150,7 +161,7 @@ void vtkPullPushReconstructionOpenGL::Push(vtkOpenGLRenderWindow* window,
   const vtkPointSurfaceView& view, const vtkPullPushOptions& options, vtkSurfaceTarget& fine,
   vtkSurfaceTarget& coarse, vtkSurfaceTarget& result, int level)
 {
-  vtkScreenPass& pass = this->GetPass(false, fine.GetLayers(), result.GetLayers());
+  vtkScreenPass& pass = this->GetPass(PushPass, fine.GetLayers(), result.GetLayers());
   vtkShaderProgram* program = pass.Ready(window);
   if (!program)
   {
@@ -172,6 +183,27 @@ void vtkPullPushReconstructionOpenGL::Push(vtkOpenGLRenderWindow* window,
   fine.Deactivate();
 }
 
+void vtkPullPushReconstructionOpenGL::Fill(vtkOpenGLRenderWindow* window,
+  const vtkPointSurfaceView& view, vtkSurfaceTarget& unfilled, vtkSurfaceTarget& result)
+{
+  vtkScreenPass& pass = this->GetPass(FillPass, unfilled.GetLayers(), result.GetLayers());
+  vtkShaderProgram* program = pass.Ready(window);
+  if (!program)
+  {
+    return;
+  }
+  unfilled.Activate();
+  unfilled.SetSamplers(program, "in");
+  program->SetUniform2i("begin", this->Rectangles[0].data());
+  program->SetUniform2i("end", this->Rectangles[0].data() + 2);
+  program->SetUniformf("depthStep", static_cast<float>(view.MeanRadius));
+  program->SetUniformi("twoSided", view.Cull == vtkPointSurfaceView::NoCulling);
+  SetRays(program, view);
+  result.BindForWriting(window);
+  this->DrawLevel(window, pass, 0);
+  unfilled.Deactivate();
+}
+
 void vtkPullPushReconstructionOpenGL::DrawLevel(
   vtkOpenGLRenderWindow* window, vtkScreenPass& pass, int level)
 {
@@ -182,25 +214,34 @@ void vtkPullPushReconstructionOpenGL::DrawLevel(
 
 //------------------------------------------------------------------------------
 vtkScreenPass& vtkPullPushReconstructionOpenGL::GetPass(
-  bool pull, const Layers& input, const Layers& output)
+  Kind kind, const Layers& input, const Layers& output)
 {
-  std::unique_ptr<vtkScreenPass>& pass = this->Programs[pull][{ input, output }];
+  std::unique_ptr<vtkScreenPass>& pass = this->Programs[kind][{ input, output }];
   if (!pass)
   {
-    std::string inputs = vtkSurfaceTarget::GetInputDeclarations(input, "fine");
-    if (!pull)
+    std::string text = "//VTK::System::Dec\n" + vtkSurfaceTarget::GetOutputDeclarations(output);
+    switch (kind)
     {
-      inputs += vtkSurfaceTarget::GetInputDeclarations(input, "coarse");
+      case PullPass:
+        text += vtkSurfaceTarget::GetInputDeclarations(input, "fine");
+        text += std::string(vtkPullPushCommon) + vtkPullFS;
+        break;
+      case PushPass:
+        text += vtkSurfaceTarget::GetInputDeclarations(input, "fine");
+        text += vtkSurfaceTarget::GetInputDeclarations(input, "coarse");
+        text += std::string(vtkPullPushCommon) + vtkPushFS;
+        break;
+      default:
+        text += vtkSurfaceTarget::GetInputDeclarations(input, "in") + vtkFillFS;
     }
-    pass.reset(new vtkScreenPass("//VTK::System::Dec\n" + inputs +
-      vtkSurfaceTarget::GetOutputDeclarations(output) + vtkPullPushCommon +
-      (pull ? vtkPullFS : vtkPushFS)));
+    pass.reset(new vtkScreenPass(text));
   }
   return *pass;
 }
 
 void vtkPullPushReconstructionOpenGL::ReleaseGraphicsResources(vtkWindow* window)
 {
+  this->Unfilled.ReleaseGraphicsResources(window);
   for (auto* pyramid : { &this->Pulled, &this->Pushed })
   {
     for (auto& level : *pyramid)

@@ -60,15 +60,25 @@ private:
   void Push(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
     const vtkPullPushOptions& options, vtkSurfaceTarget& fine, vtkSurfaceTarget& coarse,
     vtkSurfaceTarget& result, int level);
-  vtkScreenPass& GetPass(bool pull, const Layers& input, const Layers& output);
+  void Fill(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
+    vtkSurfaceTarget& unfilled, vtkSurfaceTarget& result);
+  enum Kind
+  {
+    PullPass,
+    PushPass,
+    FillPass,
+    NumberOfKinds
+  };
+  vtkScreenPass& GetPass(Kind kind, const Layers& input, const Layers& output);
   void DrawLevel(vtkOpenGLRenderWindow* window, vtkScreenPass& pass, int level);
 
   int Levels = 0;
   int Passes = 0;
   std::vector<Rectangle> Rectangles;                     // of each level, 0 the finest
   std::vector<std::unique_ptr<vtkSurfaceTarget>> Pulled; // levels 1 and up, by level - 1
+  vtkSurfaceTarget Unfilled;                             // level 0 before it is filled
   std::vector<std::unique_ptr<vtkSurfaceTarget>> Pushed; // the same; the coarsest is not used
-  std::map<std::pair<Layers, Layers>, std::unique_ptr<vtkScreenPass>> Programs[2];
+  std::map<std::pair<Layers, Layers>, std::unique_ptr<vtkScreenPass>> Programs[NumberOfKinds];
 };
 
 #endif

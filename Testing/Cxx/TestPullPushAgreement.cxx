@@ -84,6 +84,7 @@ bool Compare(const Scene& scene)
   mapper->PerspectiveDiscsOff();
   mapper->DistanceWeightsOff();
   mapper->UnionRadiiOff();
+  mapper->FillPixelsOff();
   mapper->DepthTestInPushOff();
   mapper->RecordPointIdsOn();
   vtkNew<vtkActor> actor;

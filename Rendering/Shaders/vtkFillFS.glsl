@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fill: single pixels that are empty, or show the back of a surface through a gap in its front; by
+// the masks of Rosenthal and Linsen 2008, section 6: a pixel stays as it is where five neighbours in
+// a row of its ring of eight are not of the surface in front.
+uniform ivec2 begin; // pixels outside of [begin, end) are empty
+uniform ivec2 end;
+uniform float depthStep; // what is farther back than this is behind
+uniform bool twoSided;   // normals may point to either side
+uniform vec4 eyeRay;     // xy: the ray's direction through the pixel (0, 0)
+uniform vec4 eyeRayStep; // change of it a pixel
+
+const ivec2 ring[8] = ivec2[8](ivec2(1, 0), ivec2(1, 1), ivec2(0, 1), ivec2(-1, 1), ivec2(-1, 0),
+  ivec2(-1, -1), ivec2(0, -1), ivec2(1, -1));
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 surface = texelFetch(inSurface, pixel, 0);
+#ifdef HAS_ID
+  uint id = texelFetch(inId, pixel, 0).r;
+#endif
+#ifdef HAS_COLOR
+  vec4 color = texelFetch(inColor, pixel, 0);
+#endif
+
+  vec3 ray = vec3(eyeRay.xy + (vec2(pixel) + 0.5) * eyeRayStep.xy, -1.0);
+  bool isBack = twoSided && dot(surface.xyz, ray) > 0.0;
+  vec4 around[8];
+  float nearest = 3.4e38;
+  int front = 0;
+  int runLength = 0;
+  int longestRun = 0;
+  float limit = surface.w > 0.0 ? surface.w - depthStep : 3.4e38;
+  for (int i = 0; i < 8; ++i)
+  {
+    ivec2 place = pixel + ring[i];
+    bool inside = all(greaterThanEqual(place, begin)) && all(lessThan(place, end));
+    around[i] = inside ? texelFetch(inSurface, place, 0) : vec4(0.0);
+    if (around[i].w >= limit)
+    {
+      around[i].w = 0.0;
+    }
+    if (around[i].w > 0.0 && around[i].w < nearest)
+    {
+      nearest = around[i].w;
+      front = i;
+    }
+  }
+  for (int i = 0; i < 12; ++i) // once around, and on by the longest run that matters
+  {
+    runLength = around[i & 7].w > 0.0 ? 0 : runLength + 1;
+    longestRun = max(longestRun, runLength);
+  }
+  if (longestRun < 5 && (surface.w == 0.0 || isBack))
+  {
+    vec4 sum = vec4(0.0);
+    float weights = 0.0;
+#ifdef HAS_COLOR
+    color = vec4(0.0);
+#endif
+    for (int i = 0; i < 8; ++i)
+    {
+      if (around[i].w > 0.0 && around[i].w <= nearest + 2.0 * depthStep)
+      {
+        float weight = (i & 1) == 0 ? 2.0 : 1.0;
+        float side = dot(around[i].xyz, around[front].xyz) < 0.0 ? -1.0 : 1.0;
+        sum += weight * around[i] * vec4(vec3(side), 1.0);
+        weights += weight;
+#ifdef HAS_COLOR
+        color += weight * texelFetch(inColor, pixel + ring[i], 0);
+#endif
+      }
+    }
+    float size = length(sum.xyz);
+    surface = vec4(size < 1e-6 ? around[front].xyz : sum.xyz / size, sum.w / weights);
+#ifdef HAS_ID
+    id = texelFetch(inId, pixel + ring[front], 0).r;
+#endif
+#ifdef HAS_COLOR
+    color /= weights;
+#endif
+  }
+
+  OUT_SURFACE = surface;
+#ifdef HAS_ID
+  OUT_ID = id;
+#endif
+#ifdef HAS_COLOR
+  OUT_COLOR = color;
+#endif
+}
