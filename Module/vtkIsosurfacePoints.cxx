@@ -1010,12 +1010,17 @@ bool SampleAll(vtkIsosurfacePoints* self, const Grid& grid, const T* values,
   const std::vector<double>& isovalues, Output& output, vtkIdType& notFinite)
 {
   Sampler<T> sampler(grid, values, output, self->GetFlipNormals());
-  notFinite = sampler.FindNotFinite(self);
+  const vtkIdType found = sampler.FindNotFinite(self);
+  if (self->GetAbortExecute())
+  {
+    return false;
+  }
+  notFinite = found;
   const double share = 0.9 / isovalues.size();
   double progress = 0.1;
   for (double isovalue : isovalues)
   {
-    if (self->GetAbortExecute() || !sampler.Sample(self, isovalue, progress, progress + share))
+    if (!sampler.Sample(self, isovalue, progress, progress + share))
     {
       return false;
     }
