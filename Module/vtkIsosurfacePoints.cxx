@@ -283,11 +283,11 @@ public:
     }
   }
 
-  // Marks the voxels that are finite and returns how many are not.
-  vtkIdType FindNotFinite(vtkAlgorithm* filter);
-
   // Adds the points of an isosurface to the output. False when aborted.
   bool Sample(vtkAlgorithm* filter, double isovalue, double progress, double progressEnd);
+
+  // How many voxels the isovalues so far have found to be NaN or infinite.
+  vtkIdType GetNumberOfNotFinite() const { return this->NumberOfNotFinite; }
 
 private:
   // Single precision holds values of these types without loss.
@@ -315,6 +315,8 @@ private:
   int RowWords;
   std::vector<Word> Inside; // rows of RowWords words and one empty one
   std::vector<Word> Finite; // likewise; empty when all are
+  std::atomic<bool> HasNotFinite{ false };
+  vtkIdType NumberOfNotFinite = 0;
   std::vector<vtkIdType> RowStart;
   std::vector<CellCase> Cases;
   bool SinglePrecision;
@@ -341,6 +343,7 @@ private:
   template <typename Predicate>
   void MarkRow(const T* values, Word* row, Predicate predicate) const;
   void MarkInside(int k);
+  void MarkFinite();
   void CountRows(int k);
   void WriteSlices(int begin, int end) const;
   void WriteRow(int j, int k, const CellSlices& centres) const;
@@ -353,7 +356,7 @@ private:
   double Interpolate(const T* value, int axis) const;
   void Position(const Crossing& crossing, double x[3]) const;
   bool IsNearVoxel(const Crossing& crossing) const;
-  int FindCoincident(const Crossing& crossing, Crossing coincident[6]) const;
+  int FindCoincident(const Crossing& crossing, Crossing* coincident, int limit) const;
   bool IsWritten(const Crossing& crossing) const;
   Real Difference(const T* value, int index, int axis) const;
   void Gradient(const T* value, const int ijk[3], Real gradient[3]) const;
@@ -389,20 +392,68 @@ void Sampler<T>::MarkRow(const T* values, Word* row, Predicate predicate) const
 }
 
 //------------------------------------------------------------------------------
+// The least value of a type that is inside: comparing values with it, in their own type, takes the
+// same decisions as comparing doubles, but narrow vectors. False when no value is inside.
 template <typename T>
-vtkIdType Sampler<T>::FindNotFinite(vtkAlgorithm* filter)
+bool LeastInside(double isovalue, T& least)
 {
-  if (!std::is_floating_point<T>::value)
+  const double greatest = static_cast<double>(std::numeric_limits<T>::max());
+  const double lowest = static_cast<double>(std::numeric_limits<T>::lowest());
+  if (isovalue > greatest)
   {
-    return 0;
+    return false;
   }
+  least = static_cast<T>(std::max(isovalue, lowest));
+  if (static_cast<double>(least) < isovalue)
+  {
+    least = std::is_integral<T>::value
+      ? static_cast<T>(least + 1)
+      : static_cast<T>(std::nextafter(least, std::numeric_limits<T>::max()));
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+void Sampler<T>::MarkInside(int k)
+{
+  // Doubles do not tell the greatest 64-bit integers apart.
+  using Comparable =
+    typename std::conditional<std::is_integral<T>::value && sizeof(T) == 8, double, T>::type;
+  Comparable least = 0;
+  const bool some = LeastInside(this->Isovalue, least);
+  for (int j = 0; j < this->G.Dims[1]; ++j)
+  {
+    const vtkIdType row = this->Row(j, k);
+    const T* values = this->Values + row * this->G.Step[1];
+    this->MarkRow(values, this->Inside.data() + (this->RowWords + 1) * row,
+      [some, least](T value) { return some && static_cast<Comparable>(value) >= least; });
+    if (std::is_floating_point<T>::value && !this->HasNotFinite)
+    {
+      int notFinite = 0;
+      for (int i = 0; i < this->G.Dims[0]; ++i)
+      {
+        notFinite |= values[i] - values[i] != 0;
+      }
+      if (notFinite)
+      {
+        this->HasNotFinite = true;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+void Sampler<T>::MarkFinite()
+{
   this->Finite.resize(this->Inside.size());
   std::atomic<vtkIdType> finite(0);
-  vtkProgressFor(filter, this->G.Dims[2], this->SlicesPerBatch(), 0.0, 0.1,
+  vtkSMPTools::For(0, this->G.NumberOfRows(),
     [&](vtkIdType begin, vtkIdType end)
     {
       vtkIdType count = 0;
-      for (vtkIdType row = begin * this->G.Dims[1]; row < end * this->G.Dims[1]; ++row)
+      for (vtkIdType row = begin; row < end; ++row)
       {
         Word* words = this->Finite.data() + (this->RowWords + 1) * row;
         this->MarkRow(
@@ -414,41 +465,7 @@ vtkIdType Sampler<T>::FindNotFinite(vtkAlgorithm* filter)
       }
       finite += count;
     });
-  const vtkIdType notFinite = this->G.Step[2] * this->G.Dims[2] - finite;
-  if (notFinite == 0)
-  {
-    this->Finite.clear();
-  }
-  return notFinite;
-}
-
-//------------------------------------------------------------------------------
-template <typename T>
-void Sampler<T>::MarkInside(int k)
-{
-  const double isovalue = this->Isovalue;
-  for (int j = 0; j < this->G.Dims[1]; ++j)
-  {
-    const vtkIdType row = this->Row(j, k);
-    const T* values = this->Values + row * this->G.Step[1];
-    Word* words = this->Inside.data() + (this->RowWords + 1) * row;
-    if (std::is_integral<T>::value && sizeof(T) < sizeof(int))
-    {
-      // The same as below, several times faster: comparing doubles takes wide vectors.
-      const int least = static_cast<int>(
-        std::ceil(std::min(std::max(isovalue, -double(1 << 20)), double(1 << 20))));
-      const bool none = least > static_cast<int>(std::numeric_limits<T>::max());
-      const T threshold =
-        static_cast<T>(std::max(least, static_cast<int>(std::numeric_limits<T>::min())));
-      this->MarkRow(
-        values, words, [none, threshold](T value) { return !none && value >= threshold; });
-    }
-    else
-    {
-      this->MarkRow(
-        values, words, [isovalue](T value) { return static_cast<double>(value) >= isovalue; });
-    }
-  }
+  this->NumberOfNotFinite = this->G.Step[2] * this->G.Dims[2] - finite;
 }
 
 //------------------------------------------------------------------------------
@@ -552,17 +569,19 @@ bool Sampler<T>::IsCrossed(const int voxel[3], int axis) const
 
 //------------------------------------------------------------------------------
 // The crossings about the voxel that this one is near to and that have the same position in the
-// output, itself among them. Edges along z come last and the upper one before the lower: so the
-// first crossing is found with all cells about the voxel at hand in WriteSlices().
+// output, itself among them, up to a number of them. Edges along z come last and the upper one
+// before the lower: so the first crossing is found with all cells about the voxel at hand in
+// WriteSlices().
 template <typename T>
-int Sampler<T>::FindCoincident(const Crossing& crossing, Crossing coincident[6]) const
+int Sampler<T>::FindCoincident(const Crossing& crossing, Crossing* coincident, int limit) const
 {
   double x[3];
   this->Position(crossing, x);
   int corner[3] = { crossing.Voxel[0], crossing.Voxel[1], crossing.Voxel[2] };
   corner[crossing.Axis] += crossing.T > 0.5;
   int count = 0;
-  for (int edge = 0; edge < 6; ++edge)
+  const bool isAtCorner = crossing.T == 0.0 || crossing.T == 1.0;
+  for (int edge = 0; edge < 6 && count < limit; ++edge)
   {
     const int axis = edge / 2;
     Crossing other = { { corner[0], corner[1], corner[2] }, axis, 0.0 };
@@ -572,9 +591,14 @@ int Sampler<T>::FindCoincident(const Crossing& crossing, Crossing coincident[6])
       continue;
     }
     other.T = this->Interpolate(this->Values + this->G.Voxel(other.Voxel), axis);
-    double y[3];
-    this->Position(other, y);
-    if (std::equal(x, x + 3, y))
+    bool isEqual = isAtCorner && other.T == edge % 2;
+    if (!isEqual)
+    {
+      double y[3];
+      this->Position(other, y);
+      isEqual = std::equal(x, x + 3, y);
+    }
+    if (isEqual)
     {
       coincident[count++] = other;
     }
@@ -590,9 +614,9 @@ bool Sampler<T>::IsWritten(const Crossing& crossing) const
   {
     return true;
   }
-  Crossing coincident[6];
-  this->FindCoincident(crossing, coincident);
-  return coincident[0].SameEdge(crossing);
+  Crossing first;
+  this->FindCoincident(crossing, &first, 1);
+  return first.SameEdge(crossing);
 }
 
 //------------------------------------------------------------------------------
@@ -738,7 +762,7 @@ template <typename T>
 double Sampler<T>::CoincidentRadius(const Crossing& crossing, const CellSlices& centres) const
 {
   Crossing coincident[6];
-  const int count = this->FindCoincident(crossing, coincident);
+  const int count = this->FindCoincident(crossing, coincident, 6);
   const int k = crossing.Voxel[2];
   double radius = 0.0;
   for (const Crossing* c = coincident; c < coincident + count; ++c)
@@ -938,15 +962,22 @@ bool Sampler<T>::Sample(vtkAlgorithm* filter, double isovalue, double progress, 
           {
             this->MarkInside(static_cast<int>(begin));
           }
-        }) ||
-    !vtkProgressFor(filter, slices, batch, progress + third, progress + 2.0 * third,
-      [this](vtkIdType begin, vtkIdType end)
-      {
-        for (; begin < end; ++begin)
+        }))
+  {
+    return false;
+  }
+  if (this->HasNotFinite && this->Finite.empty())
+  {
+    this->MarkFinite();
+  }
+  if (!vtkProgressFor(filter, slices, batch, progress + third, progress + 2.0 * third,
+        [this](vtkIdType begin, vtkIdType end)
         {
-          this->CountRows(static_cast<int>(begin));
-        }
-      }))
+          for (; begin < end; ++begin)
+          {
+            this->CountRows(static_cast<int>(begin));
+          }
+        }))
   {
     return false;
   }
@@ -1010,18 +1041,16 @@ bool SampleAll(vtkIsosurfacePoints* self, const Grid& grid, const T* values,
   const std::vector<double>& isovalues, Output& output, vtkIdType& notFinite)
 {
   Sampler<T> sampler(grid, values, output, self->GetFlipNormals());
-  notFinite = sampler.FindNotFinite(self);
-  const double share = 0.9 / isovalues.size();
-  double progress = 0.1;
+  const double share = 1.0 / isovalues.size();
+  double progress = 0.0;
+  bool finished = true;
   for (double isovalue : isovalues)
   {
-    if (self->GetAbortExecute() || !sampler.Sample(self, isovalue, progress, progress + share))
-    {
-      return false;
-    }
+    finished = finished && sampler.Sample(self, isovalue, progress, progress + share);
     progress += share;
   }
-  return true;
+  notFinite = sampler.GetNumberOfNotFinite();
+  return finished;
 }
 } // anonymous namespace
 

@@ -1,49 +1,89 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests share: checks that print their figure, clouds of known surfaces, caught warnings.
 #ifndef PointSurfaceTestUtilities_h
 #define PointSurfaceTestUtilities_h
 
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
 #include <iostream>
 #include <string>
+#include <vector>
 
 namespace PointSurfaceTest
 {
-/// Checks that failed so far.
-inline int& Failures()
+/**
+ * Counts what does not hold, and says it on standard output, where ctest looks for "ERROR:".
+ */
+class Checks
 {
-  static int failures = 0;
-  return failures;
-}
-
-inline bool Check(bool holds, const std::string& what)
-{
-  if (!holds)
+public:
+  void operator()(bool holds, const std::string& what)
   {
-    ++Failures();
+    if (!holds)
+    {
+      ++this->Failures;
+      std::cout << "ERROR: " << what << std::endl;
+    }
   }
-  std::cout << (holds ? "ok      " : "FAILED  ") << what << std::endl;
-  return holds;
-}
 
-inline bool CheckAtMost(double value, double limit, const std::string& what)
-{
-  return Check(
-    value <= limit, what + ": " + std::to_string(value) + ", at most " + std::to_string(limit));
-}
+  /**
+   * For measured values: fails above the bound and for NaN.
+   */
+  void AtMost(double value, double bound, const std::string& what)
+  {
+    std::cout << what << ": " << value << " (at most " << bound << ")" << std::endl;
+    (*this)(value <= bound, what);
+  }
 
-inline bool CheckAtLeast(double value, double limit, const std::string& what)
+  void AtLeast(double value, double bound, const std::string& what)
+  {
+    std::cout << what << ": " << value << " (at least " << bound << ")" << std::endl;
+    (*this)(value >= bound, what);
+  }
+
+  int GetResult() const { return this->Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE; }
+
+private:
+  int Failures = 0;
+};
+
+/**
+ * The text of the errors and warnings of an object, which are then not displayed.
+ */
+class Messages
 {
-  return Check(
-    value >= limit, what + ": " + std::to_string(value) + ", at least " + std::to_string(limit));
-}
+public:
+  explicit Messages(vtkObject* object)
+  {
+    object->AddObserver(vtkCommand::ErrorEvent, this, &Messages::Add);
+    object->AddObserver(vtkCommand::WarningEvent, this, &Messages::Add);
+  }
+  int GetCount() const { return static_cast<int>(this->Texts.size()); }
+  bool Contain(const std::string& text) const
+  {
+    return this->GetCount() == 1 && this->Texts[0].find(text) != std::string::npos;
+  }
+
+private:
+  void Add(vtkObject*, unsigned long, void* text)
+  {
+    this->Texts.emplace_back(static_cast<const char*>(text));
+  }
+  std::vector<std::string> Texts;
+};
 
 /**
  * Points of the unit sphere, evenly spread, with outward normals and radii of 1.5 times their
@@ -74,6 +114,80 @@ inline vtkSmartPointer<vtkPolyData> MakeSphereCloud(int count)
   cloud->GetPointData()->AddArray(radii);
   return cloud;
 }
+
+/**
+ * A file of the shared test data, or "" with a word that the test is skipped.
+ */
+inline std::string SharedData(const std::string& path)
+{
+#ifdef POINTSURFACE_SHARED_DATA
+  return POINTSURFACE_SHARED_DATA "/" + path;
+#else
+  std::cout << "skipped: ../shared/data is absent (" << path << ")" << std::endl;
+  return "";
+#endif
 }
+
+/**
+ * Calls `make` with each backend and several numbers of threads; whether the arrays that it returns
+ * are the same each time, bit for bit.
+ */
+inline bool IsSameForAnyThreads(
+  const std::function<std::vector<vtkSmartPointer<vtkDataArray>>()>& make)
+{
+  std::vector<vtkSmartPointer<vtkDataArray>> first;
+  const std::string backend = vtkSMPTools::GetBackend();
+  bool same = true;
+  for (const char* name : { "Sequential", "STDThread", "TBB" })
+  {
+    for (int threads : { 1, 2, 4 })
+    {
+      if (!vtkSMPTools::SetBackend(name))
+      {
+        continue; // not in this VTK
+      }
+      vtkSMPTools::Initialize(threads);
+      const auto arrays = make();
+      if (first.empty())
+      {
+        first = arrays;
+      }
+      for (std::size_t i = 0; i < arrays.size(); ++i)
+      {
+        const std::size_t bytes =
+          static_cast<std::size_t>(first[i]->GetNumberOfValues()) * first[i]->GetDataTypeSize();
+        same = same && arrays[i]->GetNumberOfValues() == first[i]->GetNumberOfValues() &&
+          std::memcmp(arrays[i]->GetVoidPointer(0), first[i]->GetVoidPointer(0), bytes) == 0;
+      }
+    }
+  }
+  vtkSMPTools::SetBackend(backend.c_str());
+  vtkSMPTools::Initialize();
+  return same && !first.empty() && first[0]->GetNumberOfValues() > 0;
+}
+
+/**
+ * Updates a filter that is told to abort by its first progress event; returns whether one came.
+ */
+inline bool Abort(vtkAlgorithm* filter)
+{
+  struct Aborter
+  {
+    bool Called = false;
+    void Execute(vtkObject* caller, unsigned long, void*)
+    {
+      this->Called = true;
+      static_cast<vtkAlgorithm*>(caller)->AbortExecuteOn();
+    }
+  } aborter;
+  const unsigned long tag =
+    filter->AddObserver(vtkCommand::ProgressEvent, &aborter, &Aborter::Execute);
+  filter->Modified();
+  filter->Update();
+  filter->RemoveObserver(tag);
+  filter->AbortExecuteOff();
+  return aborter.Called;
+}
+} // namespace PointSurfaceTest
 
 #endif

@@ -21,6 +21,8 @@ using namespace PointSurfaceTest;
 
 namespace
 {
+Checks check;
+
 const float NaN = std::numeric_limits<float>::quiet_NaN();
 const float Infinity = std::numeric_limits<float>::infinity();
 
@@ -189,24 +191,24 @@ void Try(const Case& test)
   window->Render();
 
   const std::string message = observer->GetWarningMessage();
-  Check(!observer->GetError(), "no error");
+  check(!observer->GetError(), "no error");
   if (test.Message.empty())
   {
-    Check(!observer->GetWarning(), "no warning " + message);
+    check(!observer->GetWarning(), "no warning " + message);
   }
   else
   {
-    Check(message.find(test.Message) != std::string::npos,
+    check(message.find(test.Message) != std::string::npos,
       "the warning says '" + test.Message + "': " + message);
   }
   observer->Clear();
   bad->Modified();
   window->Render();
-  Check(!observer->GetWarning(), "it is said once");
+  check(!observer->GetWarning(), "it is said once");
 
   const int drawn = CountCovered(bad);
-  Check(test.Draws == (drawn > 0), std::to_string(drawn) + " pixels of it drawn");
-  CheckAtLeast(CountCovered(good), 800, "pixels of the good cloud");
+  check(test.Draws == (drawn > 0), std::to_string(drawn) + " pixels of it drawn");
+  check.AtLeast(CountCovered(good), 800, "pixels of the good cloud");
 }
 }
 
@@ -216,5 +218,5 @@ int TestHardInput(int, char*[])
   {
     Try(test);
   }
-  return Failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return check.GetResult();
 }
