@@ -16,7 +16,8 @@ def test_small_table(monkeypatch, tmp_path):
     rows = [line for line in table1.make_table(cases=[("bunny", 1000)], sizes=[32]).splitlines() if "32 x 32" in line]
     assert len(rows) == 1
     number = r"(\d+\.\d)"
-    pattern = rf"\| torus \| 1000 \| 32 x 32 \| {number} \({number}, {number}\) \| {number} \| {number} \(\d+\) \|"
+    ours = rf"{number} \({number}, {number}\)"
+    pattern = rf"\| torus \| 1000 \| 32 x 32 \| {ours} \| {ours} \| {number} \| {number} \(\d+\) \|"
     figures = re.fullmatch(pattern, rows[0])
     assert figures, rows[0]
     assert float(figures.group(1)) > 0
