@@ -70,9 +70,9 @@ def run(arguments):
         rows += _measure_rows(measures)
     rows.append(("OpenGL renderer", renderer_string(window)))
 
-    pictures["montage"] = np.concatenate(list(pictures.values()), axis=1)
-    for name, picture in pictures.items():
-        write_png(os.path.join(arguments.output, f"{name}.png"), picture)
+    if subject.mesh is not None:
+        pictures["montage"] = np.concatenate(list(pictures.values()), axis=1)
+    _write_pictures(pictures, arguments.output)
     _print_report(subject, arguments, rows, pictures)
 
 
@@ -257,6 +257,16 @@ def _measure_rows(measures):
         ("silhouettes", f"{measures['iou']:.4f} intersection over union"),
         ("unfilled", f"{100 * measures['unfilled']:.3f}% of the pixels inside the silhouette"),
     ]
+
+
+def _write_pictures(pictures, folder):
+    """Pictures of an earlier run that this one has none of go, lest they be taken for its own."""
+    for name in ("points", "mesh", "difference", "montage"):
+        path = os.path.join(folder, f"{name}.png")
+        if name in pictures:
+            write_png(path, pictures[name])
+        elif os.path.exists(path):
+            os.remove(path)
 
 
 def _print_report(subject, arguments, rows, pictures):

@@ -119,11 +119,14 @@ def test_points_without_a_mesh(tmp_path):
     points = vtk_to_numpy(sphere().GetPoints().GetData())
     path = tmp_path / "sphere.xyz"
     np.savetxt(path, np.hstack([points, 2 * points]))
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "mesh.png").write_text("of an earlier run")
+    (tmp_path / "out" / "notes.txt").write_text("the user's own")
     result = demo(path, "--size", "96x64", "--output", tmp_path / "out")
     assert result.returncode == 0, result.stderr
     assert "no polygons, so there is no true surface" in result.stdout
     assert "PSNR" not in result.stdout
-    assert sorted(os.listdir(tmp_path / "out")) == ["montage.png", "points.png"]
+    assert sorted(os.listdir(tmp_path / "out")) == ["notes.txt", "points.png"]
     assert read_png(tmp_path / "out" / "points.png").std() > 5
 
 
