@@ -26,8 +26,11 @@ def main():
     arguments = parser.parse_args()
     try:
         demo.run(arguments)
-    except (UnreadableFile, OSError) as error:
+    except UnreadableFile as error:
         print(f"{parser.prog}: {error}", file=sys.stderr)
+        return WRONG_USE
+    except OSError as error:  # of the folder or files that are written
+        print(f"{parser.prog}: {error.filename}: {error.strerror}", file=sys.stderr)
         return WRONG_USE
     except KeyboardInterrupt:
         return INTERRUPTED

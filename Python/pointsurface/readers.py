@@ -43,6 +43,8 @@ def read(path, progress=None):
         return _read_xyz(path)
     if extension == "stl":
         _check_stl(path)
+    if extension == "ply":
+        _check_ply(path)
     if extension in _NEED_TRIAL:
         _try_reader(_READERS[extension], path)
     data = _run_reader(_READERS[extension](), path, progress)
@@ -130,6 +132,51 @@ def _check_stl(path):
     triangles = int.from_bytes(head[80:84], "little")
     if not is_text and (len(head) < 84 or size < 84 + 50 * triangles):
         raise UnreadableFile(f"{path} is no STL: neither text that starts with solid, nor as long as its header says")
+
+
+_PLY_SIZES = {
+    **dict.fromkeys(("char", "uchar", "int8", "uint8"), 1),
+    **dict.fromkeys(("short", "ushort", "int16", "uint16"), 2),
+    **dict.fromkeys(("int", "uint", "float", "int32", "uint32", "float32"), 4),
+    **dict.fromkeys(("double", "float64"), 8),
+}
+
+
+def _check_ply(path):
+    """From 9.6 on VTK fills up a file that is cut short: it must have the lines or bytes that its header asks for."""
+    with open(path, "rb") as file:
+        header = []
+        for line in file:
+            header.append(line.decode("ascii", "replace").split())
+            if header[-1] == ["end_header"]:
+                break
+        is_text = ["format", "ascii"] in [words[:2] for words in header]
+        found = sum(1 for _ in file) if is_text else os.path.getsize(path) - file.tell()
+    try:
+        needed = _ply_lines(header) if is_text else _ply_bytes(header)
+    except (IndexError, KeyError, ValueError) as error:
+        raise UnreadableFile(f"{path} is no PLY: its header makes no sense at {error}") from error
+    if found < needed:
+        unit = "lines" if is_text else "bytes"
+        raise UnreadableFile(f"{path} is cut short: its header asks for at least {needed} {unit}, and {found} follow it")
+
+
+def _ply_lines(header):
+    return sum(int(words[2]) for words in header if words[:1] == ["element"])
+
+
+def _ply_bytes(header):
+    """At least: a face has three corners or more, other lists may be empty."""
+    size = count = 0
+    for words in header:
+        if words[:1] == ["element"]:
+            count = int(words[2])
+        elif words[:2] == ["property", "list"]:
+            corners = 3 if words[4] in ("vertex_indices", "vertex_index") else 0
+            size += count * (_PLY_SIZES[words[2]] + corners * _PLY_SIZES[words[3]])
+        elif words[:1] == ["property"]:
+            size += count * _PLY_SIZES[words[1]]
+    return size
 
 
 def _check_volume(path, volume):

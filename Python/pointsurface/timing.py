@@ -10,21 +10,18 @@ STAGES = ("Project", "Reconstruct", "Shade")
 def time_frames(window, renderer, frames=20, warm_up=3, mapper=None):
     """Median milliseconds of a frame, until OpenGL has finished it, with a camera that moves before every frame.
 
-    mapper: a vtkPointSurfaceMapper, whose stages are then timed in further frames of the same kind, since asking for
-    them waits for the graphics.
+    mapper: a vtkPointSurfaceMapper, whose stages are asked for after each frame, when nothing is left to wait for.
     Returns a dict: "frame", and with a mapper "project", "reconstruct" and "shade".
     """
     for _ in range(warm_up):
         _draw_next_frame(window, renderer)
-    result = {"frame": median(_draw_next_frame(window, renderer) for _ in range(frames))}
-    if mapper is not None:
-        stages = {stage: [] for stage in STAGES}
-        for _ in range(frames):
-            _draw_next_frame(window, renderer)
-            for stage, milliseconds in stages.items():
-                milliseconds.append(getattr(mapper, f"GetLastFrame{stage}Milliseconds")())
-        result.update({stage.lower(): median(milliseconds) for stage, milliseconds in stages.items()})
-    return result
+    samples = {"frame": []}
+    for _ in range(frames):
+        samples["frame"].append(_draw_next_frame(window, renderer))
+        for stage in STAGES if mapper is not None else ():
+            milliseconds = getattr(mapper, f"GetLastFrame{stage}Milliseconds")()
+            samples.setdefault(stage.lower(), []).append(milliseconds)
+    return {name: median(milliseconds) for name, milliseconds in samples.items()}
 
 
 def _draw_next_frame(window, renderer):

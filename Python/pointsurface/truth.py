@@ -12,7 +12,6 @@ from .metrics import SurfaceImage
 from .rendering import box_average, offscreen_window, read_color
 
 _POINT_FIELD_DATA = 3  # VTK_SCALAR_MODE_USE_POINT_FIELD_DATA
-_CELL_FIELD_DATA = 4  # VTK_SCALAR_MODE_USE_CELL_FIELD_DATA
 
 
 def render_truth(mesh, renderer, surface_property, size, supersampling=4):
@@ -22,7 +21,7 @@ def render_truth(mesh, renderer, surface_property, size, supersampling=4):
     surface_property: the vtkProperty of the surface.
     size: (width, height) in pixels.
     supersampling: samples along each side of a pixel; 4 gives 16 samples a pixel. Normals and depth are at the pixels'
-    centres. Normals on the back of a face are turned to the viewer.
+    centres. Normals are oriented as the mesh's, also where its back is seen.
     Raises ValueError for a mesh without polygons or without normals.
     """
     triangles = vtkTriangleFilter()
@@ -68,10 +67,7 @@ class _SceneOfOneSurface:
         self.mapper.SetInputData(polydata)
 
     def read_values(self, names):
-        """Arrays of one component at the pixels' centres, with no shading: name to (height, width).
-
-        names: pairs of a scalar mode, that of point or cell field data, and an array's name.
-        """
+        """Point arrays of one component at the pixels' centres, with no shading: name to (height, width)."""
         values = vtkValuePass()
         values.SetInputComponentToProcess(0)
         passes = vtkRenderPassCollection()
@@ -82,13 +78,13 @@ class _SceneOfOneSurface:
         with_camera.SetDelegatePass(sequence)
         self.renderer.SetPass(with_camera)
         # The pass's first frame, which allocates its framebuffer, is drawn without a depth test.
-        values.SetInputArrayToProcess(*names[0])
+        values.SetInputArrayToProcess(_POINT_FIELD_DATA, names[0])
         self.window.Render()
 
         result = {}
         width, height = self.size
-        for mode, name in names:
-            values.SetInputArrayToProcess(mode, name)
+        for name in names:
+            values.SetInputArrayToProcess(_POINT_FIELD_DATA, name)
             self.window.Render()
             result[name] = vtk_to_numpy(values.GetFloatImageDataArray(self.renderer)).reshape(height, width).copy()
         self.renderer.SetPass(None)
@@ -100,18 +96,15 @@ def _normals_and_depth(scene, surface):
     """Eye-space unit normals (height, width, 3) and depth (height, width), both 0 where there is no surface."""
     scene.show(_with_eye_space_arrays(surface, scene.renderer.GetActiveCamera()))
     axes = [f"normal {axis}" for axis in "xyz"]
-    values = scene.read_values(
-        [(_POINT_FIELD_DATA, name) for name in ("depth", *axes)] + [(_CELL_FIELD_DATA, "facing")]
-    )
+    values = scene.read_values(["depth", *axes])
     mask = np.isfinite(values["depth"])  # the pass clears to NaN
-    normals = np.stack([values[name] for name in axes], axis=-1) * values["facing"][..., None]
-    normals = np.where(mask[..., None], normals, 0)
+    normals = np.where(mask[..., None], np.stack([values[name] for name in axes], axis=-1), 0)
     normals /= np.maximum(np.linalg.norm(normals, axis=-1, keepdims=True), 1e-30)
     return normals, np.where(mask, values["depth"], 0)
 
 
 def _with_eye_space_arrays(surface, camera):
-    """The surface with its eye depth and eye-space normal per point, and per cell 1 (front) or -1 (back)."""
+    """The surface with its eye depth and eye-space normal per point, one array a component."""
     points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
     normals = vtk_to_numpy(surface.GetPointData().GetNormals()).astype(float)
     matrix = camera.GetViewTransformMatrix()
@@ -124,12 +117,6 @@ def _with_eye_space_arrays(surface, camera):
     _add_array(result.GetPointData(), "depth", -eye_points[:, 2])
     for i, axis in enumerate("xyz"):
         _add_array(result.GetPointData(), f"normal {axis}", eye_normals[:, i])
-
-    triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    a, b, c = (eye_points[triangles[:, i]] for i in range(3))
-    to_eye = np.array([0.0, 0.0, 1.0]) if camera.GetParallelProjection() else -a
-    front = np.sum(np.cross(b - a, c - a) * to_eye, axis=-1) >= 0
-    _add_array(result.GetCellData(), "facing", np.where(front, 1.0, -1.0))
     return result
 
 

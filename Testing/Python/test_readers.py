@@ -113,6 +113,13 @@ def test_ply_with_normals_and_colors(tmp_path):
     assert vtk_to_numpy(cloud.GetPointData().GetScalars()).tolist() == [[9, 8, 7], [6, 5, 4]]
 
 
+@pytest.mark.parametrize("header", [b"element vertex x\n", b"element vertex 2\nproperty\n", b"element\n"])
+def test_ply_headers_that_make_no_sense(tmp_path, header):
+    path = tmp_path / "points.ply"
+    path.write_bytes(b"ply\nformat binary_little_endian 1.0\n" + header + b"end_header\n")
+    check_fault(path, "header")
+
+
 @pytest.mark.parametrize("separator", [" ", "\t", ",", ", "])
 def test_xyz(tmp_path, separator):
     path = tmp_path / "points.xyz"
@@ -189,7 +196,7 @@ def test_volumes_that_are_none(tmp_path):
 
 def test_points_that_are_none(tmp_path):
     write(str(tmp_path / "empty.vtp"), vtkPolyData())
-    check_fault(tmp_path / "empty.vtp", "Points")
+    check_fault(tmp_path / "empty.vtp", "oints")
     (tmp_path / "empty.obj").write_text("# nothing\n")
     check_fault(tmp_path / "empty.obj")
 

@@ -106,7 +106,7 @@ def test_color_is_lit_and_supersampled():
     assert np.abs(truth.color - single.color).max() > 0.1
 
 
-def test_normals_on_the_back_are_turned_to_the_viewer():
+def test_normals_on_the_back_keep_their_orientation():
     plane = vtkPlaneSource()
     plane.SetOrigin(-1, -1, 0)
     plane.SetPoint1(1, -1, 0)
@@ -118,7 +118,7 @@ def test_normals_on_the_back_are_turned_to_the_viewer():
         renderer.GetActiveCamera().SetPosition(0, 0, 5 * side)
         renderer.GetActiveCamera().SetFocalPoint(0, 0, 0)
         truth = render_truth(plane.GetOutput(), renderer, vtkProperty(), SIZE)
-        assert np.allclose(truth.normals[truth.mask], (0, 0, 1), atol=1e-6)
+        assert np.allclose(truth.normals[truth.mask], (0, 0, side), atol=1e-6)
         assert np.allclose(truth.depth[truth.mask], 5, atol=1e-5)
         assert np.count_nonzero(truth.mask) > 500
 
