@@ -38,6 +38,16 @@ void vtkPullPushMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Internals->Reconstruction.ReleaseGraphicsResources(window);
 }
 
+void vtkPullPushMapper::SetToPublished()
+{
+  this->SubpixelCentersOff();
+  this->PerspectiveDiscsOff();
+  this->DistanceWeightsOff();
+  this->UnionRadiiOff();
+  this->FillPixelsOff();
+  this->DepthTestInPushOff();
+}
+
 void vtkPullPushMapper::MakeSurfaceBuffer(
   vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& surface)
 {

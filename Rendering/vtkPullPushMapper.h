@@ -10,8 +10,8 @@
  * Image Reconstruction, Symposium on Point-Based Graphics 2007. The cost is that of one pixel a
  * point plus that of the viewport, whatever the radii are.
  *
- * With vtkProperty's BackfaceCulling on and every property of this class off, this is the algorithm
- * as published.
+ * The defaults are what measures best; with SetToPublished(), and vtkProperty's BackfaceCulling on,
+ * this is the algorithm as published.
  *
  * @sa vtkPointSurfaceMapper vtkPointSpacing
  */
@@ -25,6 +25,11 @@ class VTKPOINTSURFACE_EXPORT vtkPullPushMapper : public vtkPointSurfaceMapper
 public:
   static vtkPullPushMapper* New();
   vtkTypeMacro(vtkPullPushMapper, vtkPointSurfaceMapper);
+
+  /**
+   * Turns every departure from the paper, the properties below, off.
+   */
+  void SetToPublished();
 
   ///@{
   /**

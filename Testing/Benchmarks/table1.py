@@ -32,7 +32,6 @@ CASES = (("bunny", 25_000), ("armadillo", 173_000), ("buddha", 544_000), ("drago
 SIZES = (512, 1024)
 RENDERERS = ("published", "default", "gaussian", "mesh")
 OURS = RENDERERS[:2]
-DEPARTURES = ("SubpixelCenters", "PerspectiveDiscs", "DistanceWeights", "UnionRadii", "DepthTestInPush")
 DISC = """//VTK::Color::Impl
 if (dot(offsetVCVSOutput, offsetVCVSOutput) > 1.0) discard;
 """
@@ -64,8 +63,7 @@ def make_mapper(renderer_name, mesh, count):
     if renderer_name in OURS:
         mapper = vtkPullPushMapper()
         if renderer_name == "published":
-            for departure in DEPARTURES:
-                getattr(mapper, f"{departure}Off")()
+            mapper.SetToPublished()
     else:
         mapper = vtkPointGaussianMapper()
         mapper.SetScaleArray("radius")

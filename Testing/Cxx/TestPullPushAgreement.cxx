@@ -72,6 +72,7 @@ struct Scene
   int Width, Height, Points;
   bool Parallel, Colors;
   double Zoom;
+  int MinimumCovered;
 };
 
 bool Compare(const Scene& scene)
@@ -80,12 +81,7 @@ bool Compare(const Scene& scene)
   mapper->SetInputData(MakeCloud(scene.Points));
   mapper->SetScalarRange(-1.0, 1.0);
   mapper->SetScalarVisibility(scene.Colors);
-  mapper->SubpixelCentersOff();
-  mapper->PerspectiveDiscsOff();
-  mapper->DistanceWeightsOff();
-  mapper->UnionRadiiOff();
-  mapper->FillPixelsOff();
-  mapper->DepthTestInPushOff();
+  mapper->SetToPublished();
   mapper->RecordPointIdsOn();
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
@@ -115,7 +111,8 @@ bool Compare(const Scene& scene)
             << (scene.Parallel ? "parallel" : "perspective") << (scene.Colors ? ", colours" : "")
             << ", zoom " << scene.Zoom << ": ";
   comparison.Print(std::cout);
-  const bool agrees = comparison.Agrees();
+  // the spheres fill a part of any viewport: nothing to compare would be no agreement
+  const bool agrees = comparison.Agrees() && comparison.Covered >= scene.MinimumCovered;
   if (!agrees)
   {
     std::cout << "DISAGREES\n";
@@ -127,15 +124,15 @@ bool Compare(const Scene& scene)
 int TestPullPushAgreement(int, char*[])
 {
   const Scene scenes[] = {
-    { 512, 512, 20000, false, true, 1.5 },
-    { 512, 512, 300, false, false, 1.5 },
-    { 513, 301, 5000, true, true, 1.5 },
-    { 257, 640, 5000, false, false, 6.0 },
-    { 64, 64, 100000, true, false, 1.5 },
-    { 33, 17, 2000, false, true, 1.5 },
-    { 3, 2, 2000, false, true, 1.5 },
-    { 1, 1, 2000, false, true, 1.5 },
-    { 1, 100, 2000, true, false, 1.5 },
+    { 512, 512, 20000, false, true, 1.5, 100000 },
+    { 512, 512, 300, false, false, 1.5, 100000 },
+    { 513, 301, 5000, true, true, 1.5, 40000 },
+    { 257, 640, 5000, false, false, 6.0, 100000 },
+    { 64, 64, 100000, true, false, 1.5, 2000 },
+    { 33, 17, 2000, false, true, 1.5, 100 },
+    { 3, 2, 2000, false, true, 1.5, 4 },
+    { 1, 1, 2000, false, true, 1.5, 1 },
+    { 1, 100, 2000, true, false, 1.5, 1 },
   };
   bool all = true;
   for (const Scene& scene : scenes)
