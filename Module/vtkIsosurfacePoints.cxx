@@ -286,7 +286,7 @@ public:
   // Adds the points of an isosurface to the output. False when aborted.
   bool Sample(vtkAlgorithm* filter, double isovalue, double progress, double progressEnd);
 
-  // How many voxels the isovalues so far have found to be NaN or infinite.
+  // How many voxels are NaN or infinite; 0 if none of the isosurfaces so far has met one.
   vtkIdType GetNumberOfNotFinite() const { return this->NumberOfNotFinite; }
 
 private:
@@ -314,8 +314,8 @@ private:
   Real GradientToNormal[3][3];
   int RowWords;
   std::vector<Word> Inside; // rows of RowWords words and one empty one
-  std::vector<Word> Finite; // likewise; empty when all are
-  std::atomic<bool> HasNotFinite{ false };
+  std::vector<Word> Finite; // likewise; empty until a crossing meets one that is not
+  std::atomic<bool> MeetsNotFinite{ false };
   vtkIdType NumberOfNotFinite = 0;
   std::vector<vtkIdType> RowStart;
   std::vector<CellCase> Cases;
@@ -353,6 +353,7 @@ private:
 
   Crossings RowCrossings(int j, int k, int w) const;
   bool IsCrossed(const int voxel[3], int axis) const;
+  bool HasFiniteEnds(const Crossing& crossing) const;
   double Interpolate(const T* value, int axis) const;
   void Position(const Crossing& crossing, double x[3]) const;
   bool IsNearVoxel(const Crossing& crossing) const;
@@ -376,18 +377,21 @@ template <typename Predicate>
 void Sampler<T>::MarkRow(const T* values, Word* row, Predicate predicate) const
 {
   unsigned char bytes[WordBits];
-  for (int w = 0; w < this->RowWords; ++w, values += WordBits)
+  const int fullWords = this->G.Dims[0] / WordBits;
+  for (int w = 0; w < fullWords; ++w, values += WordBits)
   {
-    const int count = std::min(WordBits, this->G.Dims[0] - w * WordBits);
-    if (count < WordBits)
-    {
-      std::fill_n(bytes, WordBits, static_cast<unsigned char>(0));
-    }
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < WordBits; ++i) // a loop of fixed length is a vector loop
     {
       bytes[i] = predicate(values[i]);
     }
     row[w] = Pack(bytes);
+  }
+  if (fullWords < this->RowWords)
+  {
+    const int rest = this->G.Dims[0] % WordBits;
+    std::fill_n(bytes, WordBits, static_cast<unsigned char>(0));
+    std::transform(values, values + rest, bytes, predicate);
+    row[fullWords] = Pack(bytes);
   }
 }
 
@@ -421,25 +425,18 @@ void Sampler<T>::MarkInside(int k)
   using Comparable =
     typename std::conditional<std::is_integral<T>::value && sizeof(T) == 8, double, T>::type;
   Comparable least = 0;
-  const bool some = LeastInside(this->Isovalue, least);
+  if (!LeastInside(this->Isovalue, least))
+  {
+    Word* first = this->Inside.data() + (this->RowWords + 1) * this->Row(0, k);
+    std::fill_n(first, (this->RowWords + 1) * this->G.Dims[1], Word(0));
+    return;
+  }
   for (int j = 0; j < this->G.Dims[1]; ++j)
   {
     const vtkIdType row = this->Row(j, k);
     const T* values = this->Values + row * this->G.Step[1];
     this->MarkRow(values, this->Inside.data() + (this->RowWords + 1) * row,
-      [some, least](T value) { return some && static_cast<Comparable>(value) >= least; });
-    if (std::is_floating_point<T>::value && !this->HasNotFinite)
-    {
-      int notFinite = 0;
-      for (int i = 0; i < this->G.Dims[0]; ++i)
-      {
-        notFinite |= values[i] - values[i] != 0;
-      }
-      if (notFinite)
-      {
-        this->HasNotFinite = true;
-      }
-    }
+      [least](T value) { return static_cast<Comparable>(value) >= least; });
   }
 }
 
@@ -509,6 +506,10 @@ void Sampler<T>::CountRows(int k)
           Crossing crossing = { { w * WordBits + LowestBit(bits), j, k }, axis, 0.0 };
           crossing.T = this->Interpolate(this->Values + this->G.Voxel(crossing.Voxel), axis);
           count += this->IsWritten(crossing);
+          if (!this->HasFiniteEnds(crossing))
+          {
+            this->MeetsNotFinite = true;
+          }
         }
       }
     }
@@ -524,6 +525,16 @@ double Sampler<T>::Interpolate(const T* value, int axis) const
   const double b = static_cast<double>(value[this->G.Step[axis]]) - this->Isovalue;
   // The order of the arguments turns an undefined quotient of overflowed differences into 0.
   return std::min(1.0, std::max(0.0, a / (a - b)));
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+bool Sampler<T>::HasFiniteEnds(const Crossing& crossing) const
+{
+  const T* value = this->Values + this->G.Voxel(crossing.Voxel);
+  return !std::is_floating_point<T>::value ||
+    (std::isfinite(static_cast<double>(*value)) &&
+      std::isfinite(static_cast<double>(value[this->G.Step[crossing.Axis]])));
 }
 
 //------------------------------------------------------------------------------
@@ -966,20 +977,22 @@ bool Sampler<T>::Sample(vtkAlgorithm* filter, double isovalue, double progress, 
   {
     return false;
   }
-  if (this->HasNotFinite && this->Finite.empty())
+  const auto count = [this](vtkIdType begin, vtkIdType end)
   {
-    this->MarkFinite();
-  }
-  if (!vtkProgressFor(filter, slices, batch, progress + third, progress + 2.0 * third,
-        [this](vtkIdType begin, vtkIdType end)
-        {
-          for (; begin < end; ++begin)
-          {
-            this->CountRows(static_cast<int>(begin));
-          }
-        }))
+    for (; begin < end; ++begin)
+    {
+      this->CountRows(static_cast<int>(begin));
+    }
+  };
+  if (!vtkProgressFor(filter, slices, batch, progress + third, progress + 2.0 * third, count))
   {
     return false;
+  }
+  if (this->MeetsNotFinite)
+  {
+    this->MarkFinite();
+    this->MeetsNotFinite = false;
+    vtkSMPTools::For(0, slices, count);
   }
   this->RowStart[0] = this->Out.Points->GetNumberOfPoints();
   for (std::size_t row = 1; row < this->RowStart.size(); ++row)

@@ -28,7 +28,8 @@
  * Where a voxel equals the isovalue, the crossings of its edges coincide; one point is given for
  * all, with the largest of their radii. The same is done where rounding to the precision of the
  * output makes crossings equal, so that no two points of an isosurface are equal. Edges with an end
- * that is NaN or infinite are skipped, with one warning that counts these voxels. Ghost arrays and
+ * that is NaN or infinite are skipped, with one warning that counts
+ * such voxels. Ghost arrays and
  * blanking are ignored, as in vtkFlyingEdges3D.
  *
  * The filter is threaded by vtkSMPTools. Its output is the same, bit for bit, for any backend and
