@@ -2,6 +2,7 @@
 """Draws a file from points by pull-push, beside the mesh of the same surface, and tells how far apart the two are."""
 
 import argparse
+import math
 import os
 import sys
 import time
@@ -37,7 +38,7 @@ DIFFERENCE_GAIN = 4
 def add_arguments(parser):
     """The demo's part of the command line."""
     parser.add_argument("file", nargs="?", help="volume, mesh or points; default: the MR head of Debian's mricron-data")
-    parser.add_argument("--isovalue", type=float, help="of a volume; default: Otsu's threshold")
+    parser.add_argument("--isovalue", type=_isovalue, metavar="V", help="of a volume; default: Otsu's threshold")
     parser.add_argument("--size", type=_size, default=(800, 600), metavar="WxH", help="pixels; default: 800x600")
     parser.add_argument(
         "--output", default="pointsurface-demo", metavar="DIR", help="folder of the pictures; default: %(default)s"
@@ -105,6 +106,16 @@ def _watch(what):
             _announce(f"{what}: {fraction:.0%}")
 
     return report
+
+
+def _isovalue(text):
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"{text} is no finite number")
+    return value
 
 
 def _size(text):
@@ -235,7 +246,8 @@ def _scene(subject):
 
 def _surface_image(color, mapper):
     buffer = vtkImageData()
-    mapper.ReadSurfaceBuffer(buffer)
+    if not mapper.ReadSurfaceBuffer(buffer):
+        raise UnreadableFile("nothing has been drawn, so that there is nothing to measure")
     width, height, _ = buffer.GetDimensions()
     data = buffer.GetPointData()
     normals = vtk_to_numpy(data.GetArray("Normals")).reshape(height, width, 3)
