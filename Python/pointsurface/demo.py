@@ -27,9 +27,8 @@ from .volumes import gyroid_ball, otsu_threshold
 # The MR head of Debian's package mricron-data: Colin 27, Montreal Neurological Institute.
 HEAD = "/usr/share/mricron/templates/ch2.nii.gz"
 HEAD_ISOVALUE = 50.5  # the skin; at 50 many voxels equal the isovalue
-# The points' radii just close the surface if each point has a pixel of its own. Where several share one, and in the
-# coarser levels of the pyramid, some more is needed: on the head 1 leaves 0.9% of the pixels unfilled, 1.5 0.2% with
-# 1.6 dB more; at 2 silhouettes have grown, for 1 dB less.
+# The points' radii just close the surface. To average over more points makes the normals smoother: on the head 1.5 brings
+# their mean error from 2.6 to 1.8 degrees for the same PSNR; at 2 silhouettes have grown, for 1 dB less.
 ISOSURFACE_RADIUS_SCALE = 1.5
 FRAMES = 20
 DIFFERENCE_GAIN = 4
