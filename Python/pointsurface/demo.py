@@ -2,6 +2,7 @@
 """Draws a file from points by pull-push, beside the mesh of the same surface, and tells how far apart the two are."""
 
 import argparse
+import math
 import os
 import sys
 import time
@@ -26,9 +27,8 @@ from .volumes import gyroid_ball, otsu_threshold
 # The MR head of Debian's package mricron-data: Colin 27, Montreal Neurological Institute.
 HEAD = "/usr/share/mricron/templates/ch2.nii.gz"
 HEAD_ISOVALUE = 50.5  # the skin; at 50 many voxels equal the isovalue
-# The points' radii just close the surface if each point has a pixel of its own. Where several share one, and in the
-# coarser levels of the pyramid, some more is needed: on the head 1 leaves 0.9% of the pixels unfilled, 1.5 0.2% with
-# 1.6 dB more; at 2 silhouettes have grown, for 1 dB less.
+# The points' radii just close the surface. To average over more points makes the normals smoother: on the head 1.5 brings
+# their mean error from 2.6 to 1.8 degrees for the same PSNR; at 2 silhouettes have grown, for 1 dB less.
 ISOSURFACE_RADIUS_SCALE = 1.5
 FRAMES = 20
 DIFFERENCE_GAIN = 4
@@ -37,7 +37,7 @@ DIFFERENCE_GAIN = 4
 def add_arguments(parser):
     """The demo's part of the command line."""
     parser.add_argument("file", nargs="?", help="volume, mesh or points; default: the MR head of Debian's mricron-data")
-    parser.add_argument("--isovalue", type=float, help="of a volume; default: Otsu's threshold")
+    parser.add_argument("--isovalue", type=_isovalue, metavar="V", help="of a volume; default: Otsu's threshold")
     parser.add_argument("--size", type=_size, default=(800, 600), metavar="WxH", help="pixels; default: 800x600")
     parser.add_argument(
         "--output", default="pointsurface-demo", metavar="DIR", help="folder of the pictures; default: %(default)s"
@@ -105,6 +105,16 @@ def _watch(what):
             _announce(f"{what}: {fraction:.0%}")
 
     return report
+
+
+def _isovalue(text):
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"{text} is no finite number")
+    return value
 
 
 def _size(text):
@@ -235,7 +245,8 @@ def _scene(subject):
 
 def _surface_image(color, mapper):
     buffer = vtkImageData()
-    mapper.ReadSurfaceBuffer(buffer)
+    if not mapper.ReadSurfaceBuffer(buffer):
+        raise UnreadableFile("nothing has been drawn, so that there is nothing to measure")
     width, height, _ = buffer.GetDimensions()
     data = buffer.GetPointData()
     normals = vtk_to_numpy(data.GetArray("Normals")).reshape(height, width, 3)

@@ -8,7 +8,7 @@ import sys
 import warnings
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkPoints, vtkStringOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
@@ -40,7 +40,9 @@ def read(path, progress=None):
 
     extension = _extension(path)
     if extension == "xyz":
-        return _read_xyz(path)
+        cloud = _read_xyz(path)
+        _check_points(path, cloud)
+        return cloud
     if extension == "stl":
         _check_stl(path)
     if extension == "ply":
@@ -50,8 +52,8 @@ def read(path, progress=None):
     data = _run_reader(_READERS[extension](), path, progress)
     if isinstance(data, vtkImageData):
         _check_volume(path, data)
-    elif data.GetNumberOfPoints() == 0:
-        raise UnreadableFile(f"{path} holds no points")
+    else:
+        _check_points(path, data)
     return data
 
 
@@ -196,6 +198,13 @@ def _check_volume(path, volume):
         raise UnreadableFile(f"{path} is {size} samples; a volume needs at least 2 along each axis")
 
 
+def _check_points(path, data):
+    if data.GetNumberOfPoints() == 0:
+        raise UnreadableFile(f"{path} holds no points")
+    if not np.any(np.isfinite(vtk_to_numpy(data.GetPoints().GetData())).all(axis=1)):
+        raise UnreadableFile(f"{path} holds no points with finite coordinates")
+
+
 def _read_xyz(path):
     try:
         with open(path, encoding="utf-8") as file, warnings.catch_warnings():
@@ -204,13 +213,11 @@ def _read_xyz(path):
             values = np.loadtxt(lines, comments=("#", "//"), ndmin=2)
     except ValueError as error:  # UnicodeDecodeError among them
         raise UnreadableFile(f"{path} cannot be read as columns of numbers: {error}") from error
-    if values.size == 0:
-        raise UnreadableFile(f"{path} holds no points")
-    if values.shape[1] not in (3, 6):
+    if values.size > 0 and values.shape[1] not in (3, 6):
         raise UnreadableFile(
             f"{path} has {values.shape[1]} columns; x y z, x y z nx ny nz or x y z r g b are needed"
         )
-    return _points_with_attributes(values)
+    return _points_with_attributes(values) if values.size > 0 else vtkPolyData()
 
 
 def _points_with_attributes(values):

@@ -93,10 +93,12 @@ def measure(renderer_name, model, count, size):
 
 
 def measure_apart(renderer_name, model, count, size):
-    print(f"{model}, {count} points, {size} x {size}: {renderer_name} ...", file=sys.stderr, flush=True)
+    print(f"{model}, {count} points, {size} x {size}: {renderer_name} ... ", end="", file=sys.stderr, flush=True)
     command = [sys.executable, os.path.abspath(__file__), "--measure", renderer_name, model, str(count), str(size)]
     result = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
-    return json.loads(result.stdout.splitlines()[-1])
+    measured = json.loads(result.stdout.splitlines()[-1])
+    print(f"{measured['frame']:.1f} ms", file=sys.stderr)
+    return measured
 
 
 def make_table(cases=CASES, sizes=SIZES):

@@ -289,11 +289,14 @@ void TestNearDecisions()
   image.At(0, 0) = PullPushReference::MakePoint(FACING, 2.0, 5.0, 1);
   image.At(1, 0) = PullPushReference::MakePoint(FACING, 2.0, 7.0 + 1e-6, 2);
   Check(Reconstruct(image, 1).GetResult().At(1, 1).NearDecision, "just occluded, inherited");
-  image.At(1, 0) = PullPushReference::MakePoint(FACING, 2.0, 5.0, 2);
-  for (int i = 0; i < 4; ++i)
+  for (double depth : { 5.0, 5.0 + 1e-6 })
   {
-    Check(!Reconstruct(image, 1).GetResult().At(i % 2, i / 2).NearDecision,
-      "copies of one number are no close call");
+    image.At(1, 0) = PullPushReference::MakePoint(FACING, 2.0, depth, 2);
+    for (int i = 0; i < 4; ++i)
+    {
+      Check(!Reconstruct(image, 1).GetResult().At(i % 2, i / 2).NearDecision,
+        "the order of two points' depths is no close call");
+    }
   }
 }
 

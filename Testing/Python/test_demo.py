@@ -143,7 +143,8 @@ def test_wrong_use(tmp_path):
     check_fault(demo(tmp_path), "is a folder")
     check_fault(demo("--size", "big"), "big is not WIDTHxHEIGHT")
     check_fault(demo("--size", "0x100"), "0x100")
-    check_fault(demo("--isovalue", "skin"), "--isovalue", "skin")
+    for value in ("skin", "nan", "inf"):
+        check_fault(demo("--isovalue", value), "--isovalue", value)
     check_fault(demo("--colour", "red"), "--colour")
     (tmp_path / "broken.vtp").write_text("<VTKFile>")
     check_fault(demo(tmp_path / "broken.vtp"), "broken.vtp cannot be read")

@@ -211,3 +211,7 @@ def test_xyz_faults(tmp_path):
     check_fault(path, "4 columns")
     path.write_text("# nothing\n")
     check_fault(path, "no points")
+    path.write_text("nan 0 0\n0 inf 0\n")
+    check_fault(path, "no points with finite coordinates")
+    path.write_text("nan 0 0\n0 1 0\n")
+    assert read(str(path)).GetNumberOfPoints() == 2

@@ -15,7 +15,6 @@ constexpr double CLOSE = 1e-5;
 constexpr double SHORTEST_NORMAL_SUM = 1e-6;
 constexpr double SMALLEST_SQUEEZE = 1e-3;
 
-// Equal numbers are close as well: the callers know which ones no rounding can part.
 bool IsClose(double a, double b)
 {
   return std::abs(a - b) <= CLOSE * std::max(std::abs(a), std::abs(b));
@@ -36,10 +35,9 @@ Vector2 PixelCenter(int level, int x, int y)
 // corresponding coarser pixel.
 bool IsOccluded(const Pixel& pixel, const Pixel& coarse, bool& nearDecision)
 {
-  // The minimum of a coarser pixel that the push phase left alone is a copy of one of its
-  // children's: the same number in every precision, so that equality is no close call.
-  const bool sameNumber = !coarse.Recomputed && pixel.MinimumDepth == coarse.MinimumDepth;
-  nearDecision |= (!sameNumber && IsClose(pixel.MinimumDepth, coarse.MinimumDepth)) ||
+  // The minimum of a coarser pixel that the push phase left alone is a point's depth, as the
+  // pixel's own is. Such numbers are copied, never computed, so that no rounding turns their order.
+  nearDecision |= (coarse.Recomputed && IsClose(pixel.MinimumDepth, coarse.MinimumDepth)) ||
     IsClose(pixel.MinimumDepth, coarse.MaximumDepth);
   return pixel.MinimumDepth < coarse.MinimumDepth || pixel.MinimumDepth > coarse.MaximumDepth;
 }
@@ -133,6 +131,7 @@ Pixel PullPushReference::PullPixel(int fineLevel, int x, int y) const
     return Pixel();
   }
 
+  // Minimum depths are the points' depths, copied: which one is in front is no close call.
   const Contributor front = *std::min_element(children.begin(), children.end(),
     [](const Contributor& a, const Contributor& b)
     { return a.Source->MinimumDepth < b.Source->MinimumDepth; });
@@ -141,11 +140,7 @@ Pixel PullPushReference::PullPixel(int fineLevel, int x, int y) const
   for (const Contributor& child : children)
   {
     const double depth = child.Source->MinimumDepth;
-    // Minimum depths are copies of the points' depths: of two equal ones, the first in order is in
-    // front in every precision.
-    const bool sameNumber = depth == front.Source->MinimumDepth;
-    nearDecision |= (!sameNumber && IsClose(depth, front.Source->MinimumDepth)) ||
-      (child.Source != front.Source && IsClose(depth, front.Source->MaximumDepth));
+    nearDecision |= child.Source != front.Source && IsClose(depth, front.Source->MaximumDepth);
     if (depth <= front.Source->MaximumDepth)
     {
       kept.push_back(child);

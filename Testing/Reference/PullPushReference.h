@@ -45,7 +45,8 @@ public:
     int Source = -1; ///< id of the point that decided the pixel
 
     /**
-     * A comparison that made this pixel what it is was so close (1e-5) that rounding may turn it.
+     * A comparison that made this pixel what it is, or one that it is computed from, was so close
+     * (1e-5) that rounding may turn it.
      */
     bool NearDecision = false;
     /**

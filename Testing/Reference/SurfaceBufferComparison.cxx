@@ -135,13 +135,15 @@ void SurfaceBufferComparison::ComparePixel(
     return;
   }
   ++this->Covered;
+  const int source = static_cast<int>(data->GetArray("PointIds")->GetComponent(pixelId, 0));
+  const bool differs = expected.Valid != valid || expected.Source != source;
   if (expected.NearDecision)
   {
     ++this->NearDecision;
+    this->NearDecisionDiffering += differs;
     return;
   }
-  const int source = static_cast<int>(data->GetArray("PointIds")->GetComponent(pixelId, 0));
-  if (expected.Valid != valid || expected.Source != source)
+  if (differs)
   {
     ++this->Differing;
     return;
@@ -165,7 +167,8 @@ bool SurfaceBufferComparison::Agrees() const
 //------------------------------------------------------------------------------
 void SurfaceBufferComparison::Print(std::ostream& os) const
 {
-  os << "covered " << this->Covered << ", near a decision " << this->NearDecision
+  os << "covered " << this->Covered << ", near a decision " << this->NearDecision << " ("
+     << this->NearDecisionDiffering << " differing)"
      << ", differing in validity or source " << this->Differing << ", worst normal component "
      << this->WorstNormal << ", worst relative depth " << this->WorstDepth << ", worst color "
      << this->WorstColor << "\n";

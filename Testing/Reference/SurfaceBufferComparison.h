@@ -34,9 +34,10 @@ public:
    */
   SurfaceBufferComparison(vtkImageData* projected, vtkImageData* surface);
 
-  int Covered = 0;        ///< pixels with a surface in the reference or in the buffer
-  int NearDecision = 0;   ///< of these, those that a close decision made; not in any figure below
-  int Differing = 0;      ///< of the others, those that differ in validity or source
+  int Covered = 0;               ///< pixels with a surface in the reference or in the buffer
+  int NearDecision = 0;          ///< of these, those that a close decision made
+  int NearDecisionDiffering = 0; ///< of those, those that differ in validity or source
+  int Differing = 0;             ///< of the others, those that differ in validity or source
   double WorstNormal = 0; ///< largest difference of a component, among those that do not differ
   double WorstDepth = 0;  ///< largest difference relative to the reference's depth
   double WorstColor = 0;  ///< largest difference of a component
