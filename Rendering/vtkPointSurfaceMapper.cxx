@@ -2,11 +2,14 @@
 #include "vtkPointSurfaceMapper.h"
 
 #include "vtkDrawablePoints.h"
+#include "vtkPointProjectionCPU.h"
 #include "vtkPointProjectionOpenGL.h"
 #include "vtkPointProjectionOptions.h"
 #include "vtkPointSurfaceCompat.h"
 #include "vtkPointSurfaceView.h"
 #include "vtkSurfaceBufferShading.h"
+#include "vtkSurfaceImage.h"
+#include "vtkSurfacePixels.h"
 #include "vtkSurfaceTarget.h"
 
 #include "vtkFloatArray.h"
@@ -37,6 +40,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkSurfaceBufferVS.h"
 #include "vtkTimeStamp.h"
+#include "vtkTimerLog.h"
 #include "vtkTransform.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -74,10 +78,13 @@ public:
   vtkMTimeType PointsInputTime = 0;   // of the input that Points was built from
   vtkPolyData* PointsInput = nullptr; // only compared, never followed
   vtkDrawablePoints::RadiusSource PointsRadiusSource;
+  vtkTimeStamp PointsTime;
 
   vtkSmartPointer<vtkUnsignedCharArray> PointColors; // made from colours of cells
 
   vtkPointProjectionOpenGL Projection;
+  vtkPointProjectionCPU ProjectionCPU;
+  vtkSurfacePixels Pixels; // of the CPU back end's last frame
   std::vector<std::unique_ptr<SurfaceBuffer>> Surfaces;
   SurfaceBuffer* Current = nullptr;
   unsigned long UseCount = 0;
@@ -86,6 +93,7 @@ public:
   int ViewportOrigin[2] = { 0, 0 };
   vtkOpenGLRenderWindow* Window = nullptr; // of the last frame; cleared when it releases us
   vtkOpenGLRenderTimer Timers[NumberOfStages];
+  double ClockMilliseconds[NumberOfStages] = { 0.0, 0.0, 0.0 }; // of stages without OpenGL
 
   bool IsUpToDate(vtkPolyData* input, const vtkDrawablePoints::RadiusSource& source) const
   {
@@ -124,7 +132,7 @@ public:
     vtkOpenGLRenderTimer& timer = this->Timers[stage];
     if (!this->Window || !timer.Stopped())
     {
-      return 0.0;
+      return this->ClockMilliseconds[stage];
     }
     this->Window->MakeCurrent();
     glFinish();
@@ -173,9 +181,40 @@ void vtkPointSurfaceMapper::UpdateCameraShiftScale(vtkRenderer* renderer, vtkAct
   // to another it releases in the old one's context, and windows without PopContext leave that
   // context current.
   renderer->GetRenderWindow()->MakeCurrent();
+  this->ChooseBackend();
   this->UpdateDrawablePoints();
   this->CurrentInput = this->Internals->Points.GetCloud();
   this->Superclass::UpdateCameraShiftScale(renderer, actor);
+}
+
+namespace
+{
+/// Whether OpenGL is run by the processor.
+bool IsSoftwareRasterizer()
+{
+  const auto* text = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string name = text ? text : "";
+  for (const char* software :
+    { "llvmpipe", "softpipe", "swrast", "SWR", "Software", "Microsoft Basic Render" })
+  {
+    if (name.find(software) != std::string::npos)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+void vtkPointSurfaceMapper::ChooseBackend()
+{
+  const bool wanted = this->Backend == Automatic ? IsSoftwareRasterizer() : this->Backend == CPU;
+  const int chosen = wanted && this->HasCPUForm() ? CPU : OpenGL;
+  if (chosen != this->LastFrameBackend)
+  {
+    this->LastFrameBackend = chosen;
+    this->Modified(); // what is uploaded depends on it
+  }
 }
 
 void vtkPointSurfaceMapper::UpdateDrawablePoints()
@@ -195,6 +234,7 @@ void vtkPointSurfaceMapper::UpdateDrawablePoints()
   this->Internals->PointsInput = input;
   this->Internals->PointsInputTime = input->GetMTime();
   this->Internals->PointsRadiusSource = source;
+  this->Internals->PointsTime.Modified();
 }
 
 void vtkPointSurfaceMapper::ComputeBounds()
@@ -242,6 +282,35 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
   vtkOpenGLVertexBufferObjectCache* cache = window->GetVBOCache();
   const vtkDrawablePoints& points = this->Internals->Points;
   vtkPolyData* cloud = points.GetCloud();
+  vtkDataArray* normals = cloud->GetPointData()->GetNormals();
+  vtkDataArray* colors = this->GetPointColors();
+  vtkDataArray* tcoords = cloud->GetPointData()->GetTCoords();
+  if (this->LastFrameBackend == CPU)
+  {
+    this->Internals->ProjectionCPU.SetPoints(&points,
+      colors                     ? colors
+        : this->ColorCoordinates ? this->ColorCoordinates
+                                 : tcoords);
+    for (const char* name : { "vertexMC", "radiusMC" })
+    {
+      this->VBOs->RemoveAttribute(name);
+    }
+    this->UploadStandIn("normalMC", normals, cache);
+    this->UploadStandIn("scalarColor", colors, cache);
+    this->UploadStandIn("tcoord", tcoords, cache);
+    if (this->ColorCoordinates)
+    {
+      this->UploadStandIn(VTK_POINT_SURFACE_COLOR_TCOORD, this->ColorCoordinates, cache);
+    }
+    this->VBOs->BuildAllVBOs(renderer);
+    this->VBOBuildTime.Modified();
+    return;
+  }
+  if (this->Backend == CPU)
+  {
+    vtkWarningMacro("This mapper has no CPU form; it is drawn by OpenGL (SetBackendToOpenGL).");
+  }
+
   for (const auto& attribute : this->ExtraAttributes)
   {
     this->VBOs->CacheDataArray(attribute.first.c_str(),
@@ -255,10 +324,10 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
     positions->SetProp3D(actor);
     positions->SetCamera(renderer->GetActiveCamera());
   }
-  this->VBOs->CacheDataArray("normalMC", cloud->GetPointData()->GetNormals(), cache, VTK_FLOAT);
+  this->VBOs->CacheDataArray("normalMC", normals, cache, VTK_FLOAT);
   this->VBOs->CacheDataArray("radiusMC", points.GetRadii(), cache, VTK_FLOAT);
-  this->VBOs->CacheDataArray("scalarColor", this->GetPointColors(), cache, VTK_UNSIGNED_CHAR);
-  this->VBOs->CacheDataArray("tcoord", cloud->GetPointData()->GetTCoords(), cache, VTK_FLOAT);
+  this->VBOs->CacheDataArray("scalarColor", colors, cache, VTK_UNSIGNED_CHAR);
+  this->VBOs->CacheDataArray("tcoord", tcoords, cache, VTK_FLOAT);
   if (this->ColorCoordinates)
   {
     this->VBOs->CacheDataArray(
@@ -278,6 +347,20 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
   }
   this->Internals->Projection.UploadIds(points.GetDrawnIds());
   this->VBOBuildTime.Modified();
+}
+
+void vtkPointSurfaceMapper::UploadStandIn(
+  const char* attribute, vtkDataArray* array, vtkOpenGLVertexBufferObjectCache* cache)
+{
+  if (!array)
+  {
+    this->VBOs->RemoveAttribute(attribute);
+    return;
+  }
+  auto first = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+  first->SetNumberOfComponents(array->GetNumberOfComponents());
+  first->InsertNextTuple(0, array);
+  this->VBOs->CacheDataArray(attribute, first, cache, VTK_FLOAT);
 }
 
 vtkDataArray* vtkPointSurfaceMapper::GetPointColors()
@@ -332,6 +415,7 @@ void vtkPointSurfaceMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
   {
     timer.Reset();
   }
+  std::fill_n(this->Internals->ClockMilliseconds, static_cast<int>(NumberOfStages), 0.0);
 
   const vtkPointSurfaceView view = this->GetView(renderer, actor);
   std::copy(view.Rectangle.begin(), view.Rectangle.end(), this->LastFrameRectangle);
@@ -470,14 +554,18 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(vtkRenderer* renderer, vtkAct
 
   view.Cull = GetCulling(actor->GetProperty());
   view.NumberOfClippingPlanes = std::min(6, this->GetNumberOfClippingPlanes());
+  vtkNew<vtkMatrix4x4> eyeToModel;
+  vtkMatrix4x4::Invert(modelToEye, eyeToModel);
   for (int i = 0; i < view.NumberOfClippingPlanes; ++i)
   {
-    double* plane = view.ClippingPlanes[i].data();
+    double plane[4];
     this->GetClippingPlaneInDataCoords(actor->GetMatrix(), i, plane);
-    for (int k = 0; shifted && k < 3; ++k)
+    for (int row = 0; row < 4; ++row)
     {
-      plane[3] += plane[k] * positions->GetShift()[k];
-      plane[k] /= positions->GetScale()[k];
+      for (int k = 0; k < 4; ++k)
+      {
+        view.ClippingPlanes[i][row] += eyeToModel->GetElement(row, k) * plane[k];
+      }
     }
   }
 
@@ -488,6 +576,11 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(vtkRenderer* renderer, vtkAct
     vtkOpenGLVertexBufferObject* buffer = this->VBOs->GetVBO(name);
     view.DataTime =
       std::max(view.DataTime, buffer ? buffer->GetUploadTime().GetMTime() : vtkMTimeType(0));
+  }
+  if (this->LastFrameBackend == CPU)
+  {
+    view.DataTime = std::max(
+      this->Internals->PointsTime.GetMTime(), this->Internals->ProjectionCPU.GetColorsTime());
   }
   view.MapperTime = this->GetMTime();
 
@@ -531,6 +624,18 @@ void vtkPointSurfaceMapper::FindOrMakeSurfaceBuffer(
   vtkOpenGLState* state = window->GetState();
   surface->Target.Allocate(window, view.Size[0], view.Size[1], layers);
   surface->View = view;
+  surface->Valid = true;
+  this->LastFrameReconstructions = 1;
+  if (this->LastFrameBackend == CPU)
+  {
+    const bool colored = surface->Target.Has(vtkSurfaceTarget::Color);
+    const double start = vtkTimerLog::GetUniversalTime();
+    this->MakeSurfacePixels(view, needsIds, colored, internals.Pixels);
+    surface->Target.Upload(window, internals.Pixels);
+    internals.ClockMilliseconds[Reconstruct] =
+      1e3 * (vtkTimerLog::GetUniversalTime() - start) - internals.ClockMilliseconds[Project];
+    return;
+  }
   state->PushFramebufferBindings();
   {
     vtkOpenGLState::ScopedglViewport viewport(state);
@@ -552,8 +657,6 @@ void vtkPointSurfaceMapper::FindOrMakeSurfaceBuffer(
     internals.Timers[Reconstruct].Stop();
   }
   state->PopFramebufferBindings();
-  surface->Valid = true;
-  this->LastFrameReconstructions = 1;
 }
 
 void vtkPointSurfaceMapper::ProjectPoints(vtkOpenGLRenderWindow* window,
@@ -580,6 +683,18 @@ void vtkPointSurfaceMapper::ProjectPoints(vtkOpenGLRenderWindow* window,
   this->LastFramePointsDrawn = internals.Projection.Draw(window, points, view, options, projected);
   internals.Timers[Project].Stop();
   internals.Timers[Reconstruct].Start();
+}
+
+void vtkPointSurfaceMapper::ProjectPoints(const vtkPointSurfaceView& view,
+  const vtkPointProjectionOptions& options, bool ids, bool colors, vtkSurfaceImage& projected)
+{
+  vtkInternals& internals = *this->Internals;
+  const double start = vtkTimerLog::GetUniversalTime();
+  const auto& r = view.Rectangle;
+  projected.Allocate(
+    view.Size[0], view.Size[1], { r[0], r[1], r[0] + r[2], r[1] + r[3] }, ids, colors);
+  this->LastFramePointsDrawn = internals.ProjectionCPU.Draw(view, options, projected);
+  internals.ClockMilliseconds[Project] = 1e3 * (vtkTimerLog::GetUniversalTime() - start);
 }
 
 //------------------------------------------------------------------------------
@@ -654,11 +769,15 @@ void vtkPointSurfaceMapper::SetMapperShaderParameters(
   vtkNew<vtkMatrix4x4> matrix;
   matrix->DeepCopy(view.VCDC.data());
   program->SetUniformMatrix("psVCDC", matrix);
-  if (program->IsUniformUsed("psVCMC"))
+  if (program->IsUniformUsed("clipPlanes"))
   {
-    matrix->DeepCopy(view.MCVC.data());
-    matrix->Invert();
-    program->SetUniformMatrix("psVCMC", matrix);
+    // those that VTK has set are of vertices as they were uploaded
+    float planes[6][4];
+    for (int i = 0; i < 24; ++i)
+    {
+      planes[i / 4][i % 4] = static_cast<float>(view.ClippingPlanes[i / 4][i % 4]);
+    }
+    program->SetUniform4fv("clipPlanes", 6, planes);
   }
 }
 
@@ -682,46 +801,46 @@ bool vtkPointSurfaceMapper::ReadSurfaceBuffer(vtkImageData* buffer)
     return false;
   }
   internals.Window->MakeCurrent();
+  vtkOpenGLRenderWindow* window = internals.Window;
   vtkSurfaceTarget& target = internals.Current->Target;
+  const auto& rectangle = internals.Current->View.Rectangle;
   buffer->Initialize();
   buffer->SetDimensions(target.GetWidth(), target.GetHeight(), 1);
-  AddLayer(buffer, internals.Window, target, vtkSurfaceTarget::Surface, "Normals", 0, 3);
-  AddLayer(buffer, internals.Window, target, vtkSurfaceTarget::Surface, "Depth", 3, 1);
+  const auto surface = target.ReadFloats(window, vtkSurfaceTarget::Surface, rectangle);
+  AddLayer(buffer, surface, "Normals", 0, 3);
+  AddLayer(buffer, surface, "Depth", 3, 1);
   if (target.Has(vtkSurfaceTarget::Color))
   {
-    AddLayer(buffer, internals.Window, target, vtkSurfaceTarget::Color, "Colors", 0, 4);
+    AddLayer(buffer, target.ReadFloats(window, vtkSurfaceTarget::Color, rectangle), "Colors", 0, 4);
   }
   if (target.Has(vtkSurfaceTarget::Id))
   {
-    AddLayer(buffer, internals.Window, target, vtkSurfaceTarget::Id, "PointIds", 0, 1);
+    AddIds(buffer, target.ReadIds(window, rectangle));
   }
   return true;
 }
 
-void vtkPointSurfaceMapper::AddLayer(vtkImageData* image, vtkOpenGLRenderWindow* window,
-  vtkSurfaceTarget& target, int layer, const char* name, int first, int components)
+void vtkPointSurfaceMapper::AddIds(vtkImageData* image, const std::vector<unsigned int>& layer)
 {
-  if (layer == vtkSurfaceTarget::Id)
-  {
-    const std::vector<unsigned int> pixels = target.ReadIds(window);
-    vtkNew<vtkIntArray> ids;
-    ids->SetName(name);
-    ids->SetNumberOfValues(static_cast<vtkIdType>(pixels.size()));
-    std::transform(pixels.begin(), pixels.end(), ids->GetPointer(0),
-      [](unsigned int id) { return static_cast<int>(id) - 1; });
-    image->GetPointData()->AddArray(ids);
-    return;
-  }
-  const std::vector<float> pixels =
-    target.ReadFloats(window, static_cast<vtkSurfaceTarget::Layer>(layer));
+  vtkNew<vtkIntArray> ids;
+  ids->SetName("PointIds");
+  ids->SetNumberOfValues(static_cast<vtkIdType>(layer.size()));
+  std::transform(layer.begin(), layer.end(), ids->GetPointer(0),
+    [](unsigned int id) { return static_cast<int>(id) - 1; });
+  image->GetPointData()->AddArray(ids);
+}
+
+void vtkPointSurfaceMapper::AddLayer(
+  vtkImageData* image, const std::vector<float>& layer, const char* name, int first, int components)
+{
   vtkNew<vtkFloatArray> values;
   values->SetName(name);
   values->SetNumberOfComponents(components);
-  values->SetNumberOfTuples(static_cast<vtkIdType>(pixels.size() / 4));
+  values->SetNumberOfTuples(static_cast<vtkIdType>(layer.size() / 4));
   float* value = values->GetPointer(0);
-  for (size_t pixel = 0; pixel < pixels.size(); pixel += 4)
+  for (size_t pixel = 0; pixel < layer.size(); pixel += 4)
   {
-    value = std::copy_n(&pixels[pixel + first], components, value);
+    value = std::copy_n(&layer[pixel + first], components, value);
   }
   image->GetPointData()->AddArray(values);
 }
@@ -749,6 +868,8 @@ void vtkPointSurfaceMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "RadiusScale: " << this->RadiusScale << "\n";
   os << indent << "RecordPointIds: " << this->RecordPointIds << "\n";
+  os << indent << "Backend: " << this->Backend << "\n";
+  os << indent << "LastFrameBackend: " << this->LastFrameBackend << "\n";
   os << indent << "LastFramePointsDrawn: " << this->LastFramePointsDrawn << "\n";
   os << indent << "LastFrameLevels: " << this->LastFrameLevels << "\n";
   os << indent << "LastFramePasses: " << this->LastFramePasses << "\n";

@@ -29,12 +29,16 @@
 #include "vtkPointSurfaceModule.h" // for export macro
 
 #include <memory> // for std::unique_ptr
+#include <vector> // for std::vector
 
 class vtkImageData;
 class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexBufferObjectCache;
+class vtkSurfaceImage;
 class vtkSurfaceTarget;
 struct vtkPointProjectionOptions;
 struct vtkPointSurfaceView;
+struct vtkSurfacePixels;
 
 class VTKPOINTSURFACE_EXPORT vtkPointSurfaceMapper : public vtkOpenGLPolyDataMapper
 {
@@ -72,11 +76,39 @@ public:
   vtkGetMacro(RadiusScale, double);
   ///@}
 
+  /**
+   * What makes the surface buffer from the points.
+   */
+  enum BackendType
+  {
+    Automatic, ///< CPU where OpenGL is run by the processor too, else OpenGL
+    OpenGL,    ///< shaders
+    CPU        ///< threaded C++ (vtkSMPTools); only the finished surface buffer is uploaded
+  };
+
+  ///@{
+  /**
+   * What makes the surface buffer; see BackendType. Both make the same picture, and shading is
+   * VTK's with both. A mapper that has no CPU form uses OpenGL, with a warning where CPU was asked
+   * for. Default Automatic.
+   */
+  vtkSetClampMacro(Backend, int, Automatic, CPU);
+  vtkGetMacro(Backend, int);
+  void SetBackendToAutomatic() { this->SetBackend(Automatic); }
+  void SetBackendToOpenGL() { this->SetBackend(OpenGL); }
+  void SetBackendToCPU() { this->SetBackend(CPU); }
+  ///@}
+
+  /**
+   * The back end that the last frame was made with, OpenGL or CPU; Automatic before the first one.
+   */
+  vtkGetMacro(LastFrameBackend, int);
+
   ///@{
   /**
    * What the last frame cost: points sent to projection; the rectangle of the viewport that was
    * worked on (x, y, width, height in pixels from the viewport's lower left corner); levels of the
-   * image pyramid above the finest one, and passes over the screen; how often a surface buffer was
+   * image pyramid above the finest one, and passes over images; how often a surface buffer was
    * made (0 when one of an earlier frame still held). In a frame that made none, points, levels
    * and passes are 0.
    */
@@ -89,8 +121,9 @@ public:
 
   ///@{
   /**
-   * Milliseconds that the last frame spent in a stage, by OpenGL's timer; 0 for a stage that did
-   * not run. Waits until the frame is finished.
+   * Milliseconds that the last frame spent in a stage; 0 for a stage that did not run. By OpenGL's
+   * timer, waiting until the frame is finished; on the CPU back end the first two by the clock, the
+   * upload being a part of Reconstruct.
    */
   double GetLastFrameProjectMilliseconds();
   double GetLastFrameReconstructMilliseconds();
@@ -134,6 +167,18 @@ protected:
   virtual void MakeSurfaceBuffer(
     vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& surface) = 0;
 
+  ///@{
+  /**
+   * The same by the processor, for subclasses that can: makes the pixels of the view's rectangle,
+   * with ids and colours if asked. What it is given is what ProjectPoints() wants.
+   */
+  virtual bool HasCPUForm() const { return false; }
+  virtual void MakeSurfacePixels(
+    const vtkPointSurfaceView&, bool vtkNotUsed(ids), bool vtkNotUsed(colors), vtkSurfacePixels&)
+  {
+  }
+  ///@}
+
   /**
    * Draws each point to at most one pixel of `projected`, for subclasses to start from. The target
    * gets the layers Shape and Interval, and Id and Color where `surface` has them.
@@ -141,6 +186,8 @@ protected:
   void ProjectPoints(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
     const vtkPointProjectionOptions& options, const vtkSurfaceTarget& surface,
     vtkSurfaceTarget& projected);
+  void ProjectPoints(const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
+    bool ids, bool colors, vtkSurfaceImage& projected);
 
   /**
    * The view of the last frame's surface buffer, and the window; nullptr before the first frame.
@@ -148,12 +195,15 @@ protected:
   const vtkPointSurfaceView* GetLastView() const;
   vtkOpenGLRenderWindow* GetLastWindow() const;
 
+  ///@{
   /**
-   * Copies one layer of a target into `image` as a point array of `components` (the first or, for
-   * `first` over 0, later ones), an id layer as ids from -1.
+   * Adds a layer as vtkSurfaceTarget and vtkSurfaceImage return it to `image`: `components` of the
+   * four, from `first` on; ids from -1 as the array "PointIds".
    */
-  static void AddLayer(vtkImageData* image, vtkOpenGLRenderWindow* window, vtkSurfaceTarget& target,
-    int layer, const char* name, int first, int components);
+  static void AddLayer(vtkImageData* image, const std::vector<float>& layer, const char* name,
+    int first, int components);
+  static void AddIds(vtkImageData* image, const std::vector<unsigned int>& layer);
+  ///@}
 
   // What VTK calls while it renders; see vtkOpenGLPolyDataMapper.
   void ComputeBounds() override;
@@ -180,7 +230,9 @@ protected:
   double Radius = 0.0;
   double RadiusScale = 1.0;
   bool RecordPointIds = false;
+  int Backend = Automatic;
 
+  int LastFrameBackend = Automatic;
   vtkIdType LastFramePointsDrawn = 0;
   int LastFrameRectangle[4] = { 0, 0, 0, 0 };
   int LastFrameLevels = 0;
@@ -191,8 +243,13 @@ private:
   vtkPointSurfaceMapper(const vtkPointSurfaceMapper&) = delete;
   void operator=(const vtkPointSurfaceMapper&) = delete;
 
+  void ChooseBackend();
   void UpdateDrawablePoints();
   vtkDataArray* GetPointColors();
+  // By the components of its buffers VTK knows what its shaders have to do; where nothing but that
+  // is needed of them, the first tuple is enough.
+  void UploadStandIn(
+    const char* attribute, vtkDataArray* array, vtkOpenGLVertexBufferObjectCache* cache);
   vtkPointSurfaceView GetView(vtkRenderer* renderer, vtkActor* actor);
   void FindOrMakeSurfaceBuffer(vtkRenderer* renderer, const vtkPointSurfaceView& view);
   void ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* actor);

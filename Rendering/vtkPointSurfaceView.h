@@ -28,7 +28,7 @@ struct vtkPointSurfaceView
   std::array<double, 16> VCDC{}; ///< from the eye to clip coordinates
   std::array<double, 9> Normal{};
   std::array<int, 2> Size{};                             ///< of the surface buffer in pixels
-  std::array<std::array<double, 4>, 6> ClippingPlanes{}; ///< in uploaded coordinates
+  std::array<std::array<double, 4>, 6> ClippingPlanes{}; ///< in eye coordinates
   int NumberOfClippingPlanes = 0;
   int Cull = NoCulling;
   double RadiusScale = 1.0; ///< from the radii's units to eye units

@@ -3,8 +3,11 @@
 
 #include "vtkPointProjectionOptions.h"
 #include "vtkPointSurfaceView.h"
-#include "vtkPullPushOptions.h"
+#include "vtkPullPushParameters.h"
+#include "vtkPullPushReconstructionCPU.h"
 #include "vtkPullPushReconstructionOpenGL.h"
+#include "vtkSurfaceImage.h"
+#include "vtkSurfacePixels.h"
 #include "vtkSurfaceTarget.h"
 
 #include "vtkDoubleArray.h"
@@ -19,7 +22,9 @@ class vtkPullPushMapper::vtkInternals
 public:
   vtkSurfaceTarget Projected;
   vtkPullPushReconstructionOpenGL Reconstruction;
-  vtkPointSurfaceView View; // that Projected was made for
+  vtkSurfaceImage ProjectedCPU;
+  vtkPullPushReconstructionCPU ReconstructionCPU;
+  vtkPointSurfaceView View; // that the projected buffer was made for
 };
 
 vtkStandardNewMacro(vtkPullPushMapper);
@@ -48,10 +53,8 @@ void vtkPullPushMapper::SetToPublished()
   this->DepthTestInPushOff();
 }
 
-void vtkPullPushMapper::MakeSurfaceBuffer(
-  vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& surface)
+vtkPullPushOptions vtkPullPushMapper::GetOptions() const
 {
-  vtkInternals& internals = *this->Internals;
   vtkPullPushOptions options;
   options.SubpixelCenters = this->SubpixelCenters;
   options.PerspectiveDiscs = this->PerspectiveDiscs;
@@ -59,40 +62,76 @@ void vtkPullPushMapper::MakeSurfaceBuffer(
   options.DepthTestInPush = this->DepthTestInPush;
   options.UnionRadii = this->UnionRadii;
   options.FillPixels = this->FillPixels;
-  vtkPointProjectionOptions projection;
-  projection.SubpixelCenters = options.SubpixelCenters;
-  projection.CenterDepths = options.PerspectiveDiscs;
-  this->ProjectPoints(window, view, projection, surface, internals.Projected);
+  return options;
+}
+
+vtkPointProjectionOptions vtkPullPushMapper::GetProjectionOptions() const
+{
+  vtkPointProjectionOptions options;
+  options.SubpixelCenters = this->SubpixelCenters;
+  options.CenterDepths = this->PerspectiveDiscs;
+  return options;
+}
+
+void vtkPullPushMapper::MakeSurfaceBuffer(
+  vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& surface)
+{
+  vtkInternals& internals = *this->Internals;
+  this->ProjectPoints(window, view, this->GetProjectionOptions(), surface, internals.Projected);
   internals.View = view;
-  internals.Reconstruction.Run(window, view, options, internals.Projected, surface);
-  this->LastFrameLevels = internals.Reconstruction.GetLevels();
+  const vtkPullPushParameters parameters(view, this->GetOptions());
+  internals.Reconstruction.Run(window, parameters, internals.Projected, surface);
+  this->LastFrameLevels = parameters.GetCoarsestLevel();
   this->LastFramePasses = internals.Reconstruction.GetPasses();
+}
+
+void vtkPullPushMapper::MakeSurfacePixels(
+  const vtkPointSurfaceView& view, bool ids, bool colors, vtkSurfacePixels& surface)
+{
+  vtkInternals& internals = *this->Internals;
+  this->ProjectPoints(view, this->GetProjectionOptions(), ids, colors, internals.ProjectedCPU);
+  internals.View = view;
+  const vtkPullPushParameters parameters(view, this->GetOptions());
+  internals.ReconstructionCPU.Run(parameters, internals.ProjectedCPU, surface);
+  this->LastFrameLevels = parameters.GetCoarsestLevel();
+  this->LastFramePasses = 2 * parameters.GetCoarsestLevel();
 }
 
 //------------------------------------------------------------------------------
 bool vtkPullPushMapper::ReadProjectedBuffer(vtkImageData* buffer)
 {
   vtkOpenGLRenderWindow* window = this->GetLastWindow();
-  vtkSurfaceTarget& projected = this->Internals->Projected;
-  if (!window || projected.GetWidth() == 0)
+  vtkInternals& internals = *this->Internals;
+  const vtkPointSurfaceView& view = internals.View;
+  if (!window || view.Size[0] == 0)
   {
     vtkErrorMacro("There is no projected buffer to read: render a frame with this mapper first.");
     return false;
   }
   window->MakeCurrent();
+  const bool byCPU = this->LastFrameBackend == CPU;
+  auto readFloats = [&](vtkSurfaceTarget::Layer layer)
+  {
+    return byCPU ? internals.ProjectedCPU.ReadFloats(layer)
+                 : internals.Projected.ReadFloats(window, layer, view.Rectangle);
+  };
   buffer->Initialize();
-  buffer->SetDimensions(projected.GetWidth(), projected.GetHeight(), 1);
-  AddLayer(buffer, window, projected, vtkSurfaceTarget::Shape, "Normals", 0, 3);
-  AddLayer(buffer, window, projected, vtkSurfaceTarget::Shape, "Radius", 3, 1);
-  AddLayer(buffer, window, projected, vtkSurfaceTarget::Interval, "Depth", 0, 1);
-  AddLayer(buffer, window, projected, vtkSurfaceTarget::Interval, "Displacement", 2, 2);
-  if (projected.Has(vtkSurfaceTarget::Color))
+  buffer->SetDimensions(view.Size[0], view.Size[1], 1);
+  const std::vector<float> shape = readFloats(vtkSurfaceTarget::Shape);
+  AddLayer(buffer, shape, "Normals", 0, 3);
+  AddLayer(buffer, shape, "Radius", 3, 1);
+  const std::vector<float> interval = readFloats(vtkSurfaceTarget::Interval);
+  AddLayer(buffer, interval, "Depth", 0, 1);
+  AddLayer(buffer, interval, "Displacement", 2, 2);
+  if (byCPU ? internals.ProjectedCPU.HasColors() : internals.Projected.Has(vtkSurfaceTarget::Color))
   {
-    AddLayer(buffer, window, projected, vtkSurfaceTarget::Color, "Colors", 0, 4);
+    AddLayer(buffer, readFloats(vtkSurfaceTarget::Color), "Colors", 0, 4);
   }
-  if (projected.Has(vtkSurfaceTarget::Id))
+  if (byCPU ? internals.ProjectedCPU.HasIds() : internals.Projected.Has(vtkSurfaceTarget::Id))
   {
-    AddLayer(buffer, window, projected, vtkSurfaceTarget::Id, "PointIds", 0, 1);
+    AddIds(buffer,
+      byCPU ? internals.ProjectedCPU.ReadIds()
+            : internals.Projected.ReadIds(window, view.Rectangle));
   }
 
   vtkNew<vtkDoubleArray> projection;
@@ -101,13 +140,13 @@ bool vtkPullPushMapper::ReadProjectedBuffer(vtkImageData* buffer)
   {
     for (int column = 0; column < 4; ++column)
     {
-      projection->InsertNextValue(this->Internals->View.VCDC[4 * column + row]);
+      projection->InsertNextValue(view.VCDC[4 * column + row]);
     }
   }
   buffer->GetFieldData()->AddArray(projection);
   vtkNew<vtkIntArray> levels;
   levels->SetName("Levels");
-  levels->InsertNextValue(this->Internals->Reconstruction.GetLevels());
+  levels->InsertNextValue(vtkPullPushParameters(view, this->GetOptions()).GetCoarsestLevel());
   buffer->GetFieldData()->AddArray(levels);
   return true;
 }

@@ -20,6 +20,8 @@
 
 #include "vtkPointSurfaceMapper.h"
 
+struct vtkPullPushOptions;
+
 class VTKPOINTSURFACE_EXPORT vtkPullPushMapper : public vtkPointSurfaceMapper
 {
 public:
@@ -116,6 +118,9 @@ protected:
 
   void MakeSurfaceBuffer(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
     vtkSurfaceTarget& surface) override;
+  bool HasCPUForm() const override { return true; }
+  void MakeSurfacePixels(
+    const vtkPointSurfaceView& view, bool ids, bool colors, vtkSurfacePixels& surface) override;
 
   bool SubpixelCenters = true;
   bool PerspectiveDiscs = true;
@@ -127,6 +132,9 @@ protected:
 private:
   vtkPullPushMapper(const vtkPullPushMapper&) = delete;
   void operator=(const vtkPullPushMapper&) = delete;
+
+  vtkPullPushOptions GetOptions() const;
+  vtkPointProjectionOptions GetProjectionOptions() const;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -2,10 +2,9 @@
 #include "vtkPullPushReconstructionOpenGL.h"
 
 #include "vtkFillFS.h"
-#include "vtkPointSurfaceView.h"
 #include "vtkPullFS.h"
 #include "vtkPullPushCommon.h"
-#include "vtkPullPushOptions.h"
+#include "vtkPullPushParameters.h"
 #include "vtkPushFS.h"
 #include "vtkScreenPass.h"
 
@@ -16,17 +15,6 @@
 
 namespace
 {
-/// Levels above the finest one until the image is one pixel.
-int CountLevels(int width, int height)
-{
-  int levels = 1; // one more than a single pixel needs, so that there is always a push
-  for (int size = std::max(width, height); size > 2; size = (size + 1) / 2)
-  {
-    ++levels;
-  }
-  return levels;
-}
-
 void SetBounds(
   vtkShaderProgram* program, const std::string& prefix, const std::array<int, 4>& rectangle)
 {
@@ -34,39 +22,17 @@ void SetBounds(
   program->SetUniform2i((prefix + "End").c_str(), rectangle.data() + 2);
 }
 
-void SetCommonUniforms(
-  vtkShaderProgram* program, const vtkPointSurfaceView& view, const vtkPullPushOptions& options)
+void SetCommonUniforms(vtkShaderProgram* program, const vtkPullPushParameters& parameters)
 {
-  const float pixelToEye[4] = { static_cast<float>(2.0 / (view.Size[0] * view.VCDC[0])),
-    static_cast<float>(2.0 / (view.Size[1] * view.VCDC[5])), static_cast<float>(-view.VCDC[11]),
-    static_cast<float>(view.VCDC[15]) };
-  program->SetUniform4f("pixelToEye", pixelToEye);
-  program->SetUniformi("twoSided", view.Cull == vtkPointSurfaceView::NoCulling);
-  program->SetUniformi("centerDepths", options.PerspectiveDiscs);
+  program->SetUniform4f("pixelToEye", parameters.PixelToEye.data());
+  program->SetUniformi("twoSided", parameters.TwoSided);
+  program->SetUniformi("centerDepths", parameters.Options.PerspectiveDiscs);
 }
 
-/// Rays as linear functions of the pixel: eye xy = origin + depth * direction.
-void SetRays(vtkShaderProgram* program, const vtkPointSurfaceView& view)
+void SetRays(vtkShaderProgram* program, const vtkPullPushParameters& parameters)
 {
-  const auto& m = view.VCDC;
-  float ray[4];
-  float step[4];
-  for (int k = 0; k < 2; ++k)
-  {
-    const double scale = m[5 * k];
-    ray[k] = static_cast<float>((m[11] + m[8 + k]) / scale);
-    ray[2 + k] = static_cast<float>((-m[15] - m[12 + k]) / scale);
-    step[k] = static_cast<float>(-2.0 * m[11] / (view.Size[k] * scale));
-    step[2 + k] = static_cast<float>(2.0 * m[15] / (view.Size[k] * scale));
-  }
-  program->SetUniform4f("eyeRay", ray);
-  program->SetUniform4f("eyeRayStep", step);
-}
-
-/// How far radii are those of the union of discs: all the way where they are below 1.5 pixels.
-double GetUnionShare(const vtkPointSurfaceView& view)
-{
-  return std::min(std::max(2.5 - view.TypicalRadius, 0.0), 1.0);
+  program->SetUniform4f("eyeRay", parameters.EyeRay.data());
+  program->SetUniform4f("eyeRayStep", parameters.EyeRayStep.data());
 }
 }
 
@@ -75,68 +41,60 @@ vtkPullPushReconstructionOpenGL::~vtkPullPushReconstructionOpenGL() = default;
 
 //------------------------------------------------------------------------------
 void vtkPullPushReconstructionOpenGL::Run(vtkOpenGLRenderWindow* window,
-  const vtkPointSurfaceView& view, const vtkPullPushOptions& options, vtkSurfaceTarget& projected,
-  vtkSurfaceTarget& surface)
+  const vtkPullPushParameters& parameters, vtkSurfaceTarget& projected, vtkSurfaceTarget& surface)
 {
-  this->Levels = CountLevels(view.Size[0], view.Size[1]);
   this->Passes = 0;
-  this->AllocatePyramid(window, view, projected.GetLayers());
+  this->AllocatePyramid(window, parameters, projected.GetLayers());
 
   auto pulled = [&](int level) -> vtkSurfaceTarget&
   { return level == 0 ? projected : *this->Pulled[level - 1]; };
-  for (int level = 1; level <= this->Levels; ++level)
+  const int coarsest = parameters.GetCoarsestLevel();
+  for (int level = 1; level <= coarsest; ++level)
   {
-    this->Pull(window, view, options, pulled(level - 1), level);
+    this->Pull(window, parameters, pulled(level - 1), level);
   }
-  const bool fill = options.FillPixels;
+  const bool fill = parameters.Options.FillPixels;
   if (fill)
   {
-    this->Unfilled.Allocate(window, view.Size[0], view.Size[1], surface.GetLayers());
+    this->Unfilled.Allocate(
+      window, parameters.Levels[0].Width, parameters.Levels[0].Height, surface.GetLayers());
   }
   vtkSurfaceTarget& pushed = fill ? this->Unfilled : surface;
-  for (int level = this->Levels - 1; level >= 0; --level)
+  for (int level = coarsest - 1; level >= 0; --level)
   {
-    const bool coarsest = level + 1 == this->Levels;
-    this->Push(window, view, options, pulled(level),
-      coarsest ? pulled(level + 1) : *this->Pushed[level],
+    this->Push(window, parameters, pulled(level),
+      level + 1 == coarsest ? pulled(level + 1) : *this->Pushed[level],
       level == 0 ? pushed : *this->Pushed[level - 1], level);
   }
   if (fill)
   {
-    this->Fill(window, view, this->Unfilled, surface);
+    this->Fill(window, parameters, this->Unfilled, surface);
   }
 }
 
 void vtkPullPushReconstructionOpenGL::AllocatePyramid(
-  vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, const Layers& layers)
+  vtkOpenGLRenderWindow* window, const vtkPullPushParameters& parameters, const Layers& layers)
 {
-  while (static_cast<int>(this->Pulled.size()) < this->Levels)
+  const int coarsest = parameters.GetCoarsestLevel();
+  while (static_cast<int>(this->Pulled.size()) < coarsest)
   {
     this->Pulled.emplace_back(new vtkSurfaceTarget);
     this->Pushed.emplace_back(new vtkSurfaceTarget);
   }
-  const auto& r = view.Rectangle;
-  this->Rectangles.assign(1, { r[0], r[1], r[0] + r[2], r[1] + r[3] });
-  int width = view.Size[0];
-  int height = view.Size[1];
-  for (int level = 1; level <= this->Levels; ++level)
+  for (int level = 1; level <= coarsest; ++level)
   {
-    width = (width + 1) / 2;
-    height = (height + 1) / 2;
-    const Rectangle fine = this->Rectangles.back();
-    this->Rectangles.push_back({ fine[0] / 2, fine[1] / 2, (fine[2] + 1) / 2, (fine[3] + 1) / 2 });
-    this->Pulled[level - 1]->Allocate(window, width, height, layers);
-    if (level < this->Levels)
+    const auto& size = parameters.Levels[level];
+    this->Pulled[level - 1]->Allocate(window, size.Width, size.Height, layers);
+    if (level < coarsest)
     {
-      this->Pushed[level - 1]->Allocate(window, width, height, layers);
+      this->Pushed[level - 1]->Allocate(window, size.Width, size.Height, layers);
     }
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkPullPushReconstructionOpenGL::Pull(vtkOpenGLRenderWindow* window,
-  const vtkPointSurfaceView& view, const vtkPullPushOptions& options, vtkSurfaceTarget& fine,
-  int level)
+  const vtkPullPushParameters& parameters, vtkSurfaceTarget& fine, int level)
 {
   vtkSurfaceTarget& coarse = *this->Pulled[level - 1];
   vtkScreenPass& pass = this->GetPass(PullPass, fine.GetLayers(), coarse.GetLayers());
@@ -147,19 +105,18 @@ void vtkPullPushReconstructionOpenGL::Pull(vtkOpenGLRenderWindow* window,
   }
   fine.Activate();
   fine.SetSamplers(program, "fine");
-  SetBounds(program, "fine", this->Rectangles[level - 1]);
+  SetBounds(program, "fine", parameters.Levels[level - 1].Rectangle);
   program->SetUniformf("fineSize", static_cast<float>(1 << (level - 1)));
-  program->SetUniformf(
-    "unionShare", options.UnionRadii ? static_cast<float>(GetUnionShare(view)) : 0.0f);
-  SetCommonUniforms(program, view, options);
+  program->SetUniformf("unionShare", parameters.UnionShare);
+  SetCommonUniforms(program, parameters);
   coarse.BindForWriting(window);
-  this->DrawLevel(window, pass, level);
+  this->DrawLevel(window, parameters, pass, level);
   fine.Deactivate();
 }
 
 void vtkPullPushReconstructionOpenGL::Push(vtkOpenGLRenderWindow* window,
-  const vtkPointSurfaceView& view, const vtkPullPushOptions& options, vtkSurfaceTarget& fine,
-  vtkSurfaceTarget& coarse, vtkSurfaceTarget& result, int level)
+  const vtkPullPushParameters& parameters, vtkSurfaceTarget& fine, vtkSurfaceTarget& coarse,
+  vtkSurfaceTarget& result, int level)
 {
   vtkScreenPass& pass = this->GetPass(PushPass, fine.GetLayers(), result.GetLayers());
   vtkShaderProgram* program = pass.Ready(window);
@@ -171,20 +128,20 @@ void vtkPullPushReconstructionOpenGL::Push(vtkOpenGLRenderWindow* window,
   fine.SetSamplers(program, "fine");
   coarse.Activate();
   coarse.SetSamplers(program, "coarse");
-  SetBounds(program, "coarse", this->Rectangles[level + 1]);
+  SetBounds(program, "coarse", parameters.Levels[level + 1].Rectangle);
   program->SetUniformf("fineSize", static_cast<float>(1 << level));
-  SetCommonUniforms(program, view, options);
-  SetRays(program, view);
-  program->SetUniformi("distanceWeights", options.DistanceWeights);
-  program->SetUniformi("depthTest", options.DepthTestInPush);
+  SetCommonUniforms(program, parameters);
+  SetRays(program, parameters);
+  program->SetUniformi("distanceWeights", parameters.Options.DistanceWeights);
+  program->SetUniformi("depthTest", parameters.Options.DepthTestInPush);
   result.BindForWriting(window);
-  this->DrawLevel(window, pass, level);
+  this->DrawLevel(window, parameters, pass, level);
   coarse.Deactivate();
   fine.Deactivate();
 }
 
 void vtkPullPushReconstructionOpenGL::Fill(vtkOpenGLRenderWindow* window,
-  const vtkPointSurfaceView& view, vtkSurfaceTarget& unfilled, vtkSurfaceTarget& result)
+  const vtkPullPushParameters& parameters, vtkSurfaceTarget& unfilled, vtkSurfaceTarget& result)
 {
   vtkScreenPass& pass = this->GetPass(FillPass, unfilled.GetLayers(), result.GetLayers());
   vtkShaderProgram* program = pass.Ready(window);
@@ -194,20 +151,20 @@ void vtkPullPushReconstructionOpenGL::Fill(vtkOpenGLRenderWindow* window,
   }
   unfilled.Activate();
   unfilled.SetSamplers(program, "in");
-  program->SetUniform2i("begin", this->Rectangles[0].data());
-  program->SetUniform2i("end", this->Rectangles[0].data() + 2);
-  program->SetUniformf("depthStep", static_cast<float>(view.MeanRadius));
-  program->SetUniformi("twoSided", view.Cull == vtkPointSurfaceView::NoCulling);
-  SetRays(program, view);
+  program->SetUniform2i("begin", parameters.Levels[0].Rectangle.data());
+  program->SetUniform2i("end", parameters.Levels[0].Rectangle.data() + 2);
+  program->SetUniformf("depthStep", parameters.DepthStep);
+  program->SetUniformi("twoSided", parameters.TwoSided);
+  SetRays(program, parameters);
   result.BindForWriting(window);
-  this->DrawLevel(window, pass, 0);
+  this->DrawLevel(window, parameters, pass, 0);
   unfilled.Deactivate();
 }
 
-void vtkPullPushReconstructionOpenGL::DrawLevel(
-  vtkOpenGLRenderWindow* window, vtkScreenPass& pass, int level)
+void vtkPullPushReconstructionOpenGL::DrawLevel(vtkOpenGLRenderWindow* window,
+  const vtkPullPushParameters& parameters, vtkScreenPass& pass, int level)
 {
-  const Rectangle& r = this->Rectangles[level];
+  const auto& r = parameters.Levels[level].Rectangle;
   pass.Draw(window, r[0], r[1], r[2] - r[0], r[3] - r[1]);
   ++this->Passes;
 }

@@ -14,7 +14,6 @@
 
 #include "vtkSurfaceTarget.h"
 
-#include <array>
 #include <map>
 #include <memory>
 #include <vector>
@@ -22,8 +21,7 @@
 class vtkOpenGLRenderWindow;
 class vtkScreenPass;
 class vtkWindow;
-struct vtkPointSurfaceView;
-struct vtkPullPushOptions;
+struct vtkPullPushParameters;
 
 class vtkPullPushReconstructionOpenGL
 {
@@ -35,13 +33,12 @@ public:
    * Fills `surface` (layer Surface, and Id and Color where `projected` has them) from `projected`
    * within the view's rectangle.
    */
-  void Run(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
-    const vtkPullPushOptions& options, vtkSurfaceTarget& projected, vtkSurfaceTarget& surface);
+  void Run(vtkOpenGLRenderWindow* window, const vtkPullPushParameters& parameters,
+    vtkSurfaceTarget& projected, vtkSurfaceTarget& surface);
 
   /**
-   * Levels above the finest one, and passes over the screen, of the last run.
+   * Passes over the screen of the last run.
    */
-  int GetLevels() const { return this->Levels; }
   int GetPasses() const { return this->Passes; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -50,17 +47,15 @@ private:
   vtkPullPushReconstructionOpenGL(const vtkPullPushReconstructionOpenGL&) = delete;
   void operator=(const vtkPullPushReconstructionOpenGL&) = delete;
 
-  using Rectangle = std::array<int, 4>; // x, y, x end, y end
   using Layers = std::vector<vtkSurfaceTarget::Layer>;
 
   void AllocatePyramid(
-    vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, const Layers& layers);
-  void Pull(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
-    const vtkPullPushOptions& options, vtkSurfaceTarget& fine, int level);
-  void Push(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
-    const vtkPullPushOptions& options, vtkSurfaceTarget& fine, vtkSurfaceTarget& coarse,
-    vtkSurfaceTarget& result, int level);
-  void Fill(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
+    vtkOpenGLRenderWindow* window, const vtkPullPushParameters& parameters, const Layers& layers);
+  void Pull(vtkOpenGLRenderWindow* window, const vtkPullPushParameters& parameters,
+    vtkSurfaceTarget& fine, int level);
+  void Push(vtkOpenGLRenderWindow* window, const vtkPullPushParameters& parameters,
+    vtkSurfaceTarget& fine, vtkSurfaceTarget& coarse, vtkSurfaceTarget& result, int level);
+  void Fill(vtkOpenGLRenderWindow* window, const vtkPullPushParameters& parameters,
     vtkSurfaceTarget& unfilled, vtkSurfaceTarget& result);
   enum Kind
   {
@@ -70,11 +65,10 @@ private:
     NumberOfKinds
   };
   vtkScreenPass& GetPass(Kind kind, const Layers& input, const Layers& output);
-  void DrawLevel(vtkOpenGLRenderWindow* window, vtkScreenPass& pass, int level);
+  void DrawLevel(vtkOpenGLRenderWindow* window, const vtkPullPushParameters& parameters,
+    vtkScreenPass& pass, int level);
 
-  int Levels = 0;
   int Passes = 0;
-  std::vector<Rectangle> Rectangles;                     // of each level, 0 the finest
   std::vector<std::unique_ptr<vtkSurfaceTarget>> Pulled; // levels 1 and up, by level - 1
   vtkSurfaceTarget Unfilled;                             // level 0 before it is filled
   std::vector<std::unique_ptr<vtkSurfaceTarget>> Pushed; // the same; the coarsest is not used

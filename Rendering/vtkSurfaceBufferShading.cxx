@@ -49,9 +49,8 @@ std::string GetAssignments(const std::string& text)
   assign("int vertexIDVSOutput", "psPoint");
   if (Contains(text, "float clipDistancesVSOutput[6];"))
   {
-    assignments += "  vec4 psVertexMC = psVCMC * psVertexVC;\n"
-                   "  for (int i = 0; i < numClipPlanes; ++i)\n"
-                   "  { clipDistancesVSOutput[i] = dot(clipPlanes[i], psVertexMC); }\n";
+    assignments += "  for (int i = 0; i < numClipPlanes; ++i)\n"
+                   "  { clipDistancesVSOutput[i] = dot(clipPlanes[i], psVertexVC); }\n";
   }
   return assignments;
 }

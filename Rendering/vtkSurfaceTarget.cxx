@@ -2,6 +2,7 @@
 #include "vtkSurfaceTarget.h"
 
 #include "vtkPointSurfaceCompat.h"
+#include "vtkSurfacePixels.h"
 
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -191,7 +192,27 @@ std::string vtkSurfaceTarget::GetOutputDeclarations(const std::vector<Layer>& la
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceTarget::Read(vtkOpenGLRenderWindow* window, Layer layer, void* pixels)
+void vtkSurfaceTarget::Upload(vtkOpenGLRenderWindow* window, const vtkSurfacePixels& pixels)
+{
+  const std::array<int, 4>& r = pixels.Rectangle;
+  window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  for (Layer layer : this->Layers)
+  {
+    const void* values = layer == Id ? static_cast<const void*>(pixels.Id.data())
+      : layer == Color               ? pixels.Color.data()
+                                     : pixels.Surface.data();
+    vtkTextureObject* texture = this->GetTexture(layer);
+    texture->Activate();
+    glTexSubImage2D(GL_TEXTURE_2D, 0, r[0], r[1], r[2] - r[0], r[3] - r[1],
+      IsInteger(layer) ? GL_RED_INTEGER : GL_RGBA, IsInteger(layer) ? GL_UNSIGNED_INT : GL_FLOAT,
+      values);
+    texture->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceTarget::Read(
+  vtkOpenGLRenderWindow* window, Layer layer, const std::array<int, 4>& rectangle, void* pixels)
 {
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
@@ -200,21 +221,31 @@ void vtkSurfaceTarget::Read(vtkOpenGLRenderWindow* window, Layer layer, void* pi
     std::find(this->Layers.begin(), this->Layers.end(), layer) - this->Layers.begin();
   this->Framebuffer->ActivateReadBuffer(static_cast<unsigned int>(attachment));
   state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, this->Width, this->Height, IsInteger(layer) ? GL_RED_INTEGER : GL_RGBA,
-    IsInteger(layer) ? GL_UNSIGNED_INT : GL_FLOAT, pixels);
+  state->vtkglPixelStorei(GL_PACK_ROW_LENGTH, this->Width);
+  state->vtkglPixelStorei(GL_PACK_SKIP_PIXELS, rectangle[0]);
+  state->vtkglPixelStorei(GL_PACK_SKIP_ROWS, rectangle[1]);
+  glReadPixels(rectangle[0], rectangle[1], rectangle[2], rectangle[3],
+    IsInteger(layer) ? GL_RED_INTEGER : GL_RGBA, IsInteger(layer) ? GL_UNSIGNED_INT : GL_FLOAT,
+    pixels);
+  for (GLenum option : { GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS })
+  {
+    state->vtkglPixelStorei(option, 0);
+  }
   state->PopFramebufferBindings();
 }
 
-std::vector<float> vtkSurfaceTarget::ReadFloats(vtkOpenGLRenderWindow* window, Layer layer)
+std::vector<float> vtkSurfaceTarget::ReadFloats(
+  vtkOpenGLRenderWindow* window, Layer layer, const std::array<int, 4>& rectangle)
 {
-  std::vector<float> pixels(static_cast<size_t>(this->Width) * this->Height * 4);
-  this->Read(window, layer, pixels.data());
+  std::vector<float> pixels(static_cast<size_t>(this->Width) * this->Height * 4, 0.0f);
+  this->Read(window, layer, rectangle, pixels.data());
   return pixels;
 }
 
-std::vector<unsigned int> vtkSurfaceTarget::ReadIds(vtkOpenGLRenderWindow* window)
+std::vector<unsigned int> vtkSurfaceTarget::ReadIds(
+  vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle)
 {
-  std::vector<unsigned int> pixels(static_cast<size_t>(this->Width) * this->Height);
-  this->Read(window, Id, pixels.data());
+  std::vector<unsigned int> pixels(static_cast<size_t>(this->Width) * this->Height, 0);
+  this->Read(window, Id, rectangle, pixels.data());
   return pixels;
 }

@@ -12,15 +12,16 @@
 
 #include "vtkNew.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
-class vtkFloatArray;
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkTextureObject;
 class vtkWindow;
+struct vtkSurfacePixels;
 
 class vtkSurfaceTarget
 {
@@ -85,12 +86,20 @@ public:
    */
   static std::string GetOutputDeclarations(const std::vector<Layer>& layers);
 
+  /**
+   * Copies pixels to the layers Surface, and Id and Color where the target has them.
+   */
+  void Upload(vtkOpenGLRenderWindow* window, const vtkSurfacePixels& pixels);
+
   ///@{
   /**
-   * Copies a layer to memory, from the lower left pixel on: four floats or one id + 1 a pixel.
+   * Copies a layer to memory, from the lower left pixel on: four floats or one id + 1 a pixel, 0
+   * outside of `rectangle` (x, y, width, height), which the steps leave as it was.
    */
-  std::vector<float> ReadFloats(vtkOpenGLRenderWindow* window, Layer layer);
-  std::vector<unsigned int> ReadIds(vtkOpenGLRenderWindow* window);
+  std::vector<float> ReadFloats(
+    vtkOpenGLRenderWindow* window, Layer layer, const std::array<int, 4>& rectangle);
+  std::vector<unsigned int> ReadIds(
+    vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle);
   ///@}
 
 private:
@@ -98,7 +107,8 @@ private:
   void operator=(const vtkSurfaceTarget&) = delete;
 
   vtkTextureObject* GetTexture(Layer layer) const { return this->Textures[layer]; }
-  void Read(vtkOpenGLRenderWindow* window, Layer layer, void* pixels);
+  void Read(
+    vtkOpenGLRenderWindow* window, Layer layer, const std::array<int, 4>& rectangle, void* pixels);
 
   int Width = 0;
   int Height = 0;

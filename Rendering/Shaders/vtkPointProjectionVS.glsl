@@ -20,7 +20,7 @@ uniform vec2 targetSize;     // in pixels
 uniform bool subpixelCenters;
 uniform bool centerDepths;   // see vtkPullFS.glsl
 uniform int numberOfClippingPlanes;
-uniform vec4 clippingPlanes[6];
+uniform vec4 clippingPlanes[6]; // in eye coordinates
 
 flat out vec4 shape;
 flat out vec4 interval;
@@ -28,12 +28,12 @@ flat out vec4 color;
 flat out uint id;
 
 // Whether the point is to be seen: within the clipping range, on the kept side of all planes.
-bool isVisible(vec4 clip)
+bool isVisible(vec4 position, vec4 clip)
 {
   bool visible = clip.w > 0.0 && abs(clip.z) <= clip.w;
   for (int i = 0; i < numberOfClippingPlanes; ++i)
   {
-    visible = visible && dot(clippingPlanes[i], vertexMC) >= 0.0;
+    visible = visible && dot(clippingPlanes[i], position) >= 0.0;
   }
   return visible;
 }
@@ -58,7 +58,7 @@ void main()
 
   gl_PointSize = 1.0;
   gl_Position = VCDCMatrix * position;
-  if (cull == (facesViewer ? 2 : 1) || !isVisible(gl_Position))
+  if (cull == (facesViewer ? 2 : 1) || !isVisible(position, gl_Position))
   {
     interval = vec4(0.0);
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);

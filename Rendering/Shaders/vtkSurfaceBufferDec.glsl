@@ -1,7 +1,6 @@
 // The surface buffer and what VTK's fragment template reads from it; see vtkSurfaceBufferImpl.glsl.
 uniform ivec2 psOrigin;    // of the viewport in the framebuffer
 uniform mat4 psVCDC;
-uniform mat4 psVCMC;
 float psFragCoordZ;        // stands for gl_FragCoord.z
 float psFragCoordW;        // stands for gl_FragCoord.w
 bool psFrontFacing;        // stands for gl_FrontFacing

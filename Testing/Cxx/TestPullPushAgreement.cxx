@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkPullPushMapper with all departures from the paper off, beside the double-precision reference,
-// from the same projected buffer: viewports of many sizes, perspective and parallel projection,
-// clouds with and without colours and with a radius for each point.
+// Both back ends of vtkPullPushMapper with all departures from the paper off, beside the
+// double-precision reference, from the same projected buffer: viewports of many sizes, perspective
+// and parallel projection, clouds with and without colours and with a radius for each point.
 
 #include "SurfaceBufferComparison.h"
 
@@ -75,7 +75,7 @@ struct Scene
   int MinimumCovered;
 };
 
-bool Compare(const Scene& scene)
+bool Compare(const Scene& scene, int backend)
 {
   vtkNew<vtkPullPushMapper> mapper;
   mapper->SetInputData(MakeCloud(scene.Points));
@@ -83,6 +83,7 @@ bool Compare(const Scene& scene)
   mapper->SetScalarVisibility(scene.Colors);
   mapper->SetToPublished();
   mapper->RecordPointIdsOn();
+  mapper->SetBackend(backend);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->BackfaceCullingOn();
@@ -102,12 +103,14 @@ bool Compare(const Scene& scene)
 
   vtkNew<vtkImageData> projected;
   vtkNew<vtkImageData> surface;
-  if (!mapper->ReadProjectedBuffer(projected) || !mapper->ReadSurfaceBuffer(surface))
+  if (mapper->GetLastFrameBackend() != backend || !mapper->ReadProjectedBuffer(projected) ||
+    !mapper->ReadSurfaceBuffer(surface))
   {
     return false;
   }
   const SurfaceBufferComparison comparison(projected, surface);
-  std::cout << scene.Width << " x " << scene.Height << ", " << scene.Points << " points, "
+  std::cout << (backend == vtkPullPushMapper::CPU ? "CPU, " : "OpenGL, ") << scene.Width << " x "
+            << scene.Height << ", " << scene.Points << " points, "
             << (scene.Parallel ? "parallel" : "perspective") << (scene.Colors ? ", colours" : "")
             << ", zoom " << scene.Zoom << ": ";
   comparison.Print(std::cout);
@@ -137,7 +140,10 @@ int TestPullPushAgreement(int, char*[])
   bool all = true;
   for (const Scene& scene : scenes)
   {
-    all = Compare(scene) && all;
+    for (int backend : { vtkPullPushMapper::OpenGL, vtkPullPushMapper::CPU })
+    {
+      all = Compare(scene, backend) && all;
+    }
   }
   return all ? EXIT_SUCCESS : EXIT_FAILURE;
 }

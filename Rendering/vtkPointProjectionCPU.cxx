@@ -1,0 +1,466 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointProjectionCPU.h"
+
+#include "vtkDrawablePoints.h"
+#include "vtkPointProjectionOptions.h"
+#include "vtkPointSurfaceVectorize.h"
+#include "vtkPointSurfaceView.h"
+#include "vtkSurfaceImage.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace
+{
+/// Points that are transformed together.
+constexpr int BlockSize = 256;
+
+/// No point: above every key of MakeKey().
+constexpr std::uint64_t NoPoint = ~std::uint64_t(0);
+
+/// A number that orders points by depth and, where depths are the same, by id.
+std::uint64_t MakeKey(float depth, unsigned int id)
+{
+  std::uint32_t bits;
+  std::memcpy(&bits, &depth, sizeof(bits));
+  // floats of one sign are ordered as their bits are
+  bits = bits & 0x80000000u ? ~bits : bits | 0x80000000u;
+  return (std::uint64_t(bits) << 32) | id;
+}
+
+float GetDepth(std::uint64_t key)
+{
+  std::uint32_t bits = static_cast<std::uint32_t>(key >> 32);
+  bits = bits & 0x80000000u ? bits & 0x7fffffffu : ~bits;
+  float depth;
+  std::memcpy(&depth, &bits, sizeof(depth));
+  return depth;
+}
+
+/// Three coordinates of each of the points of a block.
+struct Block
+{
+  alignas(64) float X[BlockSize], Y[BlockSize], Z[BlockSize];
+};
+
+template <typename T>
+VTK_POINT_SURFACE_INLINE void LoadTuples(
+  Block& block, int count, const T* tuples, const double* origin)
+{
+  const T o[3] = { static_cast<T>(origin[0]), static_cast<T>(origin[1]),
+    static_cast<T>(origin[2]) };
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int i = 0; i < count; ++i)
+  {
+    block.X[i] = static_cast<float>(tuples[3 * i] - o[0]);
+    block.Y[i] = static_cast<float>(tuples[3 * i + 1] - o[1]);
+    block.Z[i] = static_cast<float>(tuples[3 * i + 2] - o[2]);
+  }
+}
+
+VTK_POINT_SURFACE_CLONES
+void LoadFloats(Block& block, int count, const float* tuples, const double* origin)
+{
+  LoadTuples(block, count, tuples, origin);
+}
+
+VTK_POINT_SURFACE_CLONES
+void LoadDoubles(Block& block, int count, const double* tuples, const double* origin)
+{
+  LoadTuples(block, count, tuples, origin);
+}
+
+/// The tuples of the listed ids.
+template <typename T>
+void LoadListed(
+  Block& block, int count, const T* tuples, const unsigned int* ids, const double* origin)
+{
+  T listed[3 * BlockSize];
+  for (int i = 0; i < count; ++i)
+  {
+    std::copy_n(tuples + 3 * static_cast<size_t>(ids[i]), 3, listed + 3 * i);
+  }
+  LoadTuples(block, count, listed, origin);
+}
+
+void Load(Block& block, vtkIdType first, int count, vtkDataArray* array, const unsigned int* ids,
+  const double* origin)
+{
+  if (auto* floats = vtkFloatArray::SafeDownCast(array))
+  {
+    const float* tuples = floats->GetPointer(0);
+    ids ? LoadListed(block, count, tuples, ids + first, origin)
+        : LoadFloats(block, count, tuples + 3 * first, origin);
+    return;
+  }
+  const double* tuples = static_cast<vtkDoubleArray*>(array)->GetPointer(0);
+  ids ? LoadListed(block, count, tuples, ids + first, origin)
+      : LoadDoubles(block, count, tuples + 3 * first, origin);
+}
+
+/// The rows of a matrix of eye or clip coordinates, for column vectors.
+struct Row
+{
+  float X, Y, Z, W;
+  VTK_POINT_SURFACE_INLINE float Of(float x, float y, float z) const
+  {
+    return this->X * x + this->Y * y + this->Z * z + this->W;
+  }
+};
+}
+
+struct vtkPointProjectionCPU::Transform
+{
+  Row Eye[3];  // from coordinates about the origin to the eye
+  Row Clip[4]; // from there to clip coordinates
+  Row Normal[3];
+  Row Planes[6]; // of clipping, in eye coordinates
+  int NumberOfPlanes;
+  float RadiusScale;
+  float HalfSize[2]; // of the viewport
+  int Rectangle[4];  // x, y, width, height
+  int Cull;
+  bool Parallel;
+};
+
+namespace
+{
+/// Where the points of a block fall: the pixel in the rectangle, -1 for those that are not seen.
+VTK_POINT_SURFACE_CLONES
+void ProjectBlock(Block& block, const Block& normals, int count,
+  const vtkPointProjectionCPU::Transform& transform, int* pixels, float* depths)
+{
+  const vtkPointProjectionCPU::Transform t = transform; // that no write below can change
+  const int x0 = t.Rectangle[0];
+  const int y0 = t.Rectangle[1];
+  const float left = static_cast<float>(t.Rectangle[0]);
+  const float bottom = static_cast<float>(t.Rectangle[1]);
+  const float right = static_cast<float>(t.Rectangle[0] + t.Rectangle[2]);
+  const float top = static_cast<float>(t.Rectangle[1] + t.Rectangle[3]);
+  const int width = t.Rectangle[2];
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int i = 0; i < count; ++i)
+  {
+    const float x = t.Eye[0].Of(block.X[i], block.Y[i], block.Z[i]);
+    const float y = t.Eye[1].Of(block.X[i], block.Y[i], block.Z[i]);
+    const float z = t.Eye[2].Of(block.X[i], block.Y[i], block.Z[i]);
+    block.X[i] = x;
+    block.Y[i] = y;
+    block.Z[i] = z;
+    depths[i] = -z;
+    const float clipZ = t.Clip[2].Of(x, y, z);
+    const float w = t.Clip[3].Of(x, y, z);
+    const float windowX = t.HalfSize[0] * (t.Clip[0].Of(x, y, z) / w + 1.0f);
+    const float windowY = t.HalfSize[1] * (t.Clip[1].Of(x, y, z) / w + 1.0f);
+    const bool seen = (w > 0.0f) & (std::abs(clipZ) <= w) & (windowX >= left) &
+      (windowY >= bottom) & (windowX < right) & (windowY < top);
+    const int column = static_cast<int>(seen ? windowX : left);
+    const int row = static_cast<int>(seen ? windowY : bottom);
+    const int pixel = (row - y0) * width + column - x0;
+    pixels[i] = seen ? pixel : -1;
+  }
+  for (int p = 0; p < t.NumberOfPlanes; ++p)
+  {
+    VTK_POINT_SURFACE_INDEPENDENT
+    for (int i = 0; i < count; ++i)
+    {
+      const float distance = t.Planes[p].Of(block.X[i], block.Y[i], block.Z[i]);
+      const int pixel = pixels[i];
+      pixels[i] = distance >= 0.0f ? pixel : -1;
+    }
+  }
+  if (t.Cull == vtkPointSurfaceView::NoCulling)
+  {
+    return;
+  }
+  // toViewer is (0, 0, 1) in parallel, else minus the position
+  const float parallel = t.Parallel ? 1.0f : 0.0f;
+  const float perspective = t.Parallel ? 0.0f : -1.0f;
+  const bool keepFront = t.Cull == vtkPointSurfaceView::BackfaceCulling;
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int i = 0; i < count; ++i)
+  {
+    const float x = t.Normal[0].Of(normals.X[i], normals.Y[i], normals.Z[i]);
+    const float y = t.Normal[1].Of(normals.X[i], normals.Y[i], normals.Z[i]);
+    const float z = t.Normal[2].Of(normals.X[i], normals.Y[i], normals.Z[i]);
+    const float toViewer = perspective * (x * block.X[i] + y * block.Y[i] + z * block.Z[i]);
+    const int facesViewer = toViewer + parallel * z >= 0.0f ? 1 : 0;
+    const int pixel = pixels[i];
+    pixels[i] = facesViewer == static_cast<int>(keepFront) ? pixel : -1;
+  }
+}
+}
+
+vtkPointProjectionCPU::vtkPointProjectionCPU() = default;
+vtkPointProjectionCPU::~vtkPointProjectionCPU() = default;
+
+//------------------------------------------------------------------------------
+void vtkPointProjectionCPU::SetPoints(const vtkDrawablePoints* points, vtkDataArray* colors)
+{
+  this->Points = points;
+  vtkPolyData* cloud = points->GetCloud();
+  this->Positions = cloud->GetPoints()->GetData();
+  if (!vtkFloatArray::SafeDownCast(this->Positions) &&
+    !vtkDoubleArray::SafeDownCast(this->Positions))
+  {
+    this->Positions = vtkSmartPointer<vtkDoubleArray>::New();
+    this->Positions->DeepCopy(cloud->GetPoints()->GetData());
+  }
+  this->Normals = vtkFloatArray::SafeDownCast(cloud->GetPointData()->GetNormals());
+  this->Colors = colors;
+  this->ColorsTime = colors ? colors->GetMTime() : 0;
+  if (colors && !vtkUnsignedCharArray::SafeDownCast(colors) && !vtkFloatArray::SafeDownCast(colors))
+  {
+    this->Colors = vtkSmartPointer<vtkFloatArray>::New();
+    this->Colors->DeepCopy(colors);
+  }
+  const double* bounds = points->GetBounds();
+  for (int k = 0; k < 3; ++k)
+  {
+    // a float, so that the difference to a float is the same in single and double precision
+    this->Origin[k] = static_cast<float>(0.5 * (bounds[2 * k] + bounds[2 * k + 1]));
+  }
+}
+
+vtkPointProjectionCPU::Transform vtkPointProjectionCPU::GetTransform(
+  const vtkPointSurfaceView& view) const
+{
+  Transform t;
+  const auto& m = view.MCVC;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double shift =
+      this->Origin[0] * m[k] + this->Origin[1] * m[4 + k] + this->Origin[2] * m[8 + k] + m[12 + k];
+    t.Eye[k] = { static_cast<float>(m[k]), static_cast<float>(m[4 + k]),
+      static_cast<float>(m[8 + k]), static_cast<float>(shift) };
+    t.Normal[k] = { static_cast<float>(view.Normal[k]), static_cast<float>(view.Normal[3 + k]),
+      static_cast<float>(view.Normal[6 + k]), 0.0f };
+  }
+  for (int k = 0; k < 4; ++k)
+  {
+    t.Clip[k] = { static_cast<float>(view.VCDC[k]), static_cast<float>(view.VCDC[4 + k]),
+      static_cast<float>(view.VCDC[8 + k]), static_cast<float>(view.VCDC[12 + k]) };
+  }
+  t.NumberOfPlanes = view.NumberOfClippingPlanes;
+  for (int i = 0; i < t.NumberOfPlanes; ++i)
+  {
+    const auto& plane = view.ClippingPlanes[i];
+    t.Planes[i] = { static_cast<float>(plane[0]), static_cast<float>(plane[1]),
+      static_cast<float>(plane[2]), static_cast<float>(plane[3]) };
+  }
+  t.RadiusScale = static_cast<float>(view.RadiusScale);
+  for (int k = 0; k < 2; ++k)
+  {
+    t.HalfSize[k] = 0.5f * view.Size[k];
+  }
+  std::copy(view.Rectangle.begin(), view.Rectangle.end(), t.Rectangle);
+  t.Cull = view.Cull;
+  t.Parallel = view.IsParallel();
+  return t;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPointProjectionCPU::Draw(
+  const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options, vtkSurfaceImage& image)
+{
+  const size_t size = static_cast<size_t>(view.Rectangle[2]) * view.Rectangle[3];
+  if (this->NearestSize < size)
+  {
+    this->Nearest.reset(new std::atomic<std::uint64_t>[size]);
+    this->NearestSize = size;
+    vtkSMPTools::For(0, static_cast<vtkIdType>(size),
+      [this](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          this->Nearest[i].store(NoPoint, std::memory_order_relaxed);
+        }
+      });
+  }
+  const Transform transform = this->GetTransform(view);
+  this->FindVisiblePoints(transform);
+  this->FetchVisiblePoints(transform, options, image);
+  return this->Points->GetNumberOfDrawnPoints();
+}
+
+void vtkPointProjectionCPU::FindVisiblePoints(const Transform& transform)
+{
+  const std::vector<unsigned int>& listed = this->Points->GetDrawnIds();
+  const unsigned int* ids = listed.empty() ? nullptr : listed.data();
+  const vtkIdType count = this->Points->GetNumberOfDrawnPoints();
+  const bool culls = transform.Cull != vtkPointSurfaceView::NoCulling;
+  auto draw = [&](vtkIdType begin, vtkIdType end)
+  {
+    const double zero[3] = { 0.0, 0.0, 0.0 };
+    Block positions;
+    Block normals;
+    int pixels[BlockSize];
+    float depths[BlockSize];
+    for (vtkIdType block = begin; block < end; ++block)
+    {
+      const vtkIdType first = block * BlockSize;
+      const int size = static_cast<int>(std::min<vtkIdType>(BlockSize, count - first));
+      Load(positions, first, size, this->Positions, ids, this->Origin.data());
+      if (culls)
+      {
+        Load(normals, first, size, this->Normals, ids, zero);
+      }
+      ProjectBlock(positions, normals, size, transform, pixels, depths);
+      for (int i = 0; i < size; ++i)
+      {
+        if (pixels[i] < 0)
+        {
+          continue;
+        }
+        const auto id = static_cast<unsigned int>(ids ? ids[first + i] : first + i);
+        const std::uint64_t key = MakeKey(depths[i], id);
+        std::atomic<std::uint64_t>& nearest = this->Nearest[pixels[i]];
+        std::uint64_t old = nearest.load(std::memory_order_relaxed);
+        while (key < old && !nearest.compare_exchange_weak(old, key, std::memory_order_relaxed))
+        {
+        }
+      }
+    }
+  };
+  vtkSMPTools::For(0, (count + BlockSize - 1) / BlockSize, 16, draw);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointProjectionCPU::FetchVisiblePoints(
+  const Transform& transform, const vtkPointProjectionOptions& options, vtkSurfaceImage& image)
+{
+  const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
+  const size_t width = r[2] - r[0];
+  vtkSMPTools::For(r[1], r[3], 16,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (int y = static_cast<int>(begin); y < end; ++y)
+      {
+        for (int block = image.GetBlockBegin(); block < image.GetBlockEnd(); ++block)
+        {
+          image.ClearBlock(y, block);
+        }
+        std::atomic<std::uint64_t>* nearest = &this->Nearest[(y - r[1]) * width] - r[0];
+        for (int x = r[0]; x < r[2]; ++x)
+        {
+          const std::uint64_t key = nearest[x].load(std::memory_order_relaxed);
+          if (key != NoPoint)
+          {
+            nearest[x].store(NoPoint, std::memory_order_relaxed);
+            this->FetchPoint(transform, options, key, x, y, image);
+          }
+        }
+      }
+    });
+}
+
+void vtkPointProjectionCPU::FetchPoint(const Transform& t, const vtkPointProjectionOptions& options,
+  std::uint64_t key, int x, int y, vtkSurfaceImage& image) const
+{
+  const auto id = static_cast<unsigned int>(key & 0xffffffffu);
+  const float depth = GetDepth(key);
+  vtkFloatArray* radii = this->Points->GetRadii();
+  const float* n = this->Normals->GetPointer(3 * static_cast<vtkIdType>(id));
+  float normal[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    normal[k] = t.Normal[k].Of(n[0], n[1], n[2]);
+  }
+  float length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+  float center[2] = { 0.0f, 0.0f };
+  if (options.SubpixelCenters || !(length > 0.0f))
+  {
+    const std::array<float, 3> p = this->GetPosition(id);
+    float eye[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      eye[k] = t.Eye[k].Of(p[0], p[1], p[2]);
+    }
+    if (!(length > 0.0f)) // none is known: it faces the viewer
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        normal[k] = t.Parallel ? (k == 2 ? 1.0f : 0.0f) : -eye[k];
+      }
+      length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    }
+    if (options.SubpixelCenters)
+    {
+      const float w = t.Clip[3].Of(eye[0], eye[1], eye[2]);
+      const int pixel[2] = { x, y };
+      for (int k = 0; k < 2; ++k)
+      {
+        const float window = t.HalfSize[k] * (t.Clip[k].Of(eye[0], eye[1], eye[2]) / w + 1.0f);
+        center[k] = window - (pixel[k] + 0.5f);
+      }
+    }
+  }
+
+  image.GetOccupied(y)[x / vtkSurfaceImage::BlockSize] = 1;
+  for (int k = 0; k < 3; ++k)
+  {
+    image.GetRow(y, vtkSurfaceImage::NormalX + k)[x] = normal[k] / length;
+  }
+  const float radius = t.RadiusScale *
+    (radii ? radii->GetValue(id) : static_cast<float>(this->Points->GetLargestRadius()));
+  image.GetRow(y, vtkSurfaceImage::Radius)[x] = radius;
+  image.GetRow(y, vtkSurfaceImage::IntervalX)[x] = depth;
+  image.GetRow(y, vtkSurfaceImage::IntervalY)[x] = options.CenterDepths ? 0.0f : depth + radius;
+  image.GetRow(y, vtkSurfaceImage::CenterX)[x] = center[0];
+  image.GetRow(y, vtkSurfaceImage::CenterY)[x] = center[1];
+  if (image.HasIds())
+  {
+    image.GetIds(y)[x] = id + 1;
+  }
+  if (image.HasColors())
+  {
+    const std::array<float, 4> color = this->GetColor(id);
+    for (int k = 0; k < 4; ++k)
+    {
+      image.GetRow(y, vtkSurfaceImage::Red + k)[x] = color[k];
+    }
+  }
+}
+
+std::array<float, 3> vtkPointProjectionCPU::GetPosition(vtkIdType id) const
+{
+  std::array<float, 3> position;
+  auto* floats = vtkFloatArray::SafeDownCast(this->Positions);
+  for (int k = 0; k < 3; ++k)
+  {
+    position[k] = floats
+      ? floats->GetPointer(0)[3 * id + k] - static_cast<float>(this->Origin[k])
+      : static_cast<float>(
+          static_cast<vtkDoubleArray*>(this->Positions.Get())->GetPointer(0)[3 * id + k] -
+          this->Origin[k]);
+  }
+  return position;
+}
+
+std::array<float, 4> vtkPointProjectionCPU::GetColor(vtkIdType id) const
+{
+  std::array<float, 4> color = { 0.0f, 0.0f, 0.0f, 1.0f };
+  const int components = std::min(this->Colors->GetNumberOfComponents(), 4);
+  if (auto* bytes = vtkUnsignedCharArray::SafeDownCast(this->Colors))
+  {
+    const unsigned char* tuple = bytes->GetPointer(this->Colors->GetNumberOfComponents() * id);
+    for (int k = 0; k < components; ++k)
+    {
+      color[k] = tuple[k] / 255.0f;
+    }
+    return color;
+  }
+  const float* tuple = static_cast<vtkFloatArray*>(this->Colors.Get())
+                         ->GetPointer(this->Colors->GetNumberOfComponents() * id);
+  std::copy_n(tuple, std::min(components, 2), color.begin());
+  return color;
+}

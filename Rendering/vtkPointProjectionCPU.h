@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointProjectionCPU
+ * @brief   the step from points to an image with at most one pixel a point, by the processor
+ *
+ * The same as vtkPointProjectionOpenGL, for contexts whose OpenGL is run by the processor too: all
+ * points go through a minimum of depth and id for each pixel, threaded by vtkSMPTools, and only
+ * those that stay visible have their normals, radii and colours fetched. Coordinates are taken
+ * about the cloud's centre, so that those of 1e7 keep their detail. The result does not depend on
+ * the number of threads.
+ */
+#ifndef vtkPointProjectionCPU_h
+#define vtkPointProjectionCPU_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
+class vtkDataArray;
+class vtkDrawablePoints;
+class vtkFloatArray;
+class vtkSurfaceImage;
+struct vtkPointProjectionOptions;
+struct vtkPointSurfaceView;
+
+class vtkPointProjectionCPU
+{
+public:
+  vtkPointProjectionCPU();
+  ~vtkPointProjectionCPU();
+
+  /**
+   * What is drawn: `points`, which have to outlive the use here, and what the layer Color carries
+   * of them, a tuple a point: colours as unsigned chars, or texture coordinates as any other type;
+   * nullptr for none.
+   */
+  void SetPoints(const vtkDrawablePoints* points, vtkDataArray* colors);
+
+  /**
+   * When what the layer Color carries was last changed.
+   */
+  vtkMTimeType GetColorsTime() const { return this->ColorsTime; }
+
+  /**
+   * Draws the points into `image`, which is allocated for the view, with the layer Color if there
+   * are colours. `view` is one whose MCVC is of the points' own coordinates. Returns the number of
+   * points gone through.
+   */
+  vtkIdType Draw(const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
+    vtkSurfaceImage& image);
+
+  struct Transform; ///< the view in single precision, for the points about the origin
+
+private:
+  vtkPointProjectionCPU(const vtkPointProjectionCPU&) = delete;
+  void operator=(const vtkPointProjectionCPU&) = delete;
+
+  Transform GetTransform(const vtkPointSurfaceView& view) const;
+  void FindVisiblePoints(const Transform& transform);
+  void FetchVisiblePoints(
+    const Transform& transform, const vtkPointProjectionOptions& options, vtkSurfaceImage& image);
+  void FetchPoint(const Transform& transform, const vtkPointProjectionOptions& options,
+    std::uint64_t key, int x, int y, vtkSurfaceImage& image) const;
+  std::array<float, 3> GetPosition(vtkIdType id) const; // about the origin
+  std::array<float, 4> GetColor(vtkIdType id) const;
+
+  const vtkDrawablePoints* Points = nullptr;
+  vtkSmartPointer<vtkDataArray> Positions; // floats or doubles
+  vtkSmartPointer<vtkFloatArray> Normals;
+  vtkSmartPointer<vtkDataArray> Colors; // unsigned chars or floats
+  vtkMTimeType ColorsTime = 0;
+  std::array<double, 3> Origin{}; // of the coordinates that are worked with
+
+  // Of each pixel of the rectangle the depth and the id of the nearest point, see
+  // vtkPointProjectionCPU.cxx; all empty between two runs.
+  std::unique_ptr<std::atomic<std::uint64_t>[]> Nearest;
+  size_t NearestSize = 0;
+};
+
+#endif

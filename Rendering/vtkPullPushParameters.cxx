@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPullPushParameters.h"
+
+#include "vtkPointSurfaceView.h"
+
+#include <algorithm>
+
+namespace
+{
+std::vector<vtkPullPushParameters::Level> MakeLevels(const vtkPointSurfaceView& view)
+{
+  const auto& r = view.Rectangle;
+  std::vector<vtkPullPushParameters::Level> levels = { { view.Size[0], view.Size[1],
+    { r[0], r[1], r[0] + r[2], r[1] + r[3] } } };
+  do // once at least, so that there is always a push
+  {
+    const auto fine = levels.back();
+    const auto& f = fine.Rectangle;
+    levels.push_back({ (fine.Width + 1) / 2, (fine.Height + 1) / 2,
+      { f[0] / 2, f[1] / 2, (f[2] + 1) / 2, (f[3] + 1) / 2 } });
+  } while (std::max(levels.back().Width, levels.back().Height) > 1);
+  return levels;
+}
+}
+
+vtkPullPushParameters::vtkPullPushParameters(
+  const vtkPointSurfaceView& view, const vtkPullPushOptions& options)
+  : Options(options)
+  , Levels(MakeLevels(view))
+  , DepthStep(static_cast<float>(view.MeanRadius))
+  , TwoSided(view.Cull == vtkPointSurfaceView::NoCulling)
+{
+  const auto& m = view.VCDC;
+  for (int k = 0; k < 2; ++k)
+  {
+    const double scale = m[5 * k];
+    const double size = view.Size[k];
+    this->PixelToEye[k] = static_cast<float>(2.0 / (size * scale));
+    this->EyeRay[k] = static_cast<float>((m[11] + m[8 + k]) / scale);
+    this->EyeRay[2 + k] = static_cast<float>((-m[15] - m[12 + k]) / scale);
+    this->EyeRayStep[k] = static_cast<float>(-2.0 * m[11] / (size * scale));
+    this->EyeRayStep[2 + k] = static_cast<float>(2.0 * m[15] / (size * scale));
+  }
+  this->PixelToEye[2] = static_cast<float>(-m[11]);
+  this->PixelToEye[3] = static_cast<float>(m[15]);
+  if (options.UnionRadii)
+  {
+    // all the way where radii are below 1.5 pixels
+    this->UnionShare = static_cast<float>(std::min(std::max(2.5 - view.TypicalRadius, 0.0), 1.0));
+  }
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPullPushParameters
+ * @brief   what both forms of a pull-push reconstruction take from a view and the options
+ */
+#ifndef vtkPullPushParameters_h
+#define vtkPullPushParameters_h
+
+#include "vtkPullPushOptions.h"
+
+#include <array>
+#include <vector>
+
+struct vtkPointSurfaceView;
+
+struct vtkPullPushParameters
+{
+  struct Level
+  {
+    int Width, Height;            ///< of the whole image
+    std::array<int, 4> Rectangle; ///< x, y, x end, y end: pixels outside are invalid
+  };
+
+  vtkPullPushParameters(const vtkPointSurfaceView& view, const vtkPullPushOptions& options);
+
+  int GetCoarsestLevel() const { return static_cast<int>(this->Levels.size()) - 1; }
+
+  vtkPullPushOptions Options;
+  std::vector<Level> Levels;         ///< 0 is the finest; the last is of one pixel
+  std::array<float, 4> PixelToEye{}; ///< xy: eye units a pixel where w is 1; zw: w = z depth + w
+  // Rays as linear functions of the pixel: eye xy = origin + depth * direction.
+  std::array<float, 4> EyeRay{};     ///< xy: direction through the pixel (0, 0); zw: origin
+  std::array<float, 4> EyeRayStep{}; ///< change of these a pixel of level 0
+  float UnionShare = 0.0f;           ///< 0: mean of the radii (the paper); 1: the discs' union
+  float DepthStep = 0.0f;            ///< in eye units: what is farther back than this is behind
+  bool TwoSided = false;             ///< normals may point to either side
+};
+
+#endif

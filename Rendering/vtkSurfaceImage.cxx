@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSurfaceImage.h"
+
+#include <algorithm>
+
+void vtkSurfaceImage::Allocate(
+  int width, int height, const Rectangle& rectangle, bool ids, bool colors)
+{
+  const int planes = colors ? NumberOfPlanes : NumberOfShapePlanes;
+  if (width != this->Width || height != this->Height || planes != this->Planes ||
+    ids != this->WithIds)
+  {
+    this->Width = width;
+    this->Height = height;
+    this->Planes = planes;
+    this->WithIds = ids;
+    // an even number of blocks, since two of them are pulled into one, and the rim
+    const int pair = 2 * BlockSize;
+    this->Stride = (width + pair - 1) / pair * pair + pair;
+    const size_t pixels = static_cast<size_t>(height + 2) * this->Stride;
+    this->Values.assign(pixels * planes, 0.0f);
+    this->Ids.assign(ids ? pixels : 0, 0);
+    this->Occupied.assign(pixels / BlockSize, 0);
+  }
+
+  this->Bounds = rectangle;
+  const int begin = this->GetBlockBegin();
+  const int end = this->GetBlockEnd();
+  for (int block = begin - 1; block <= end; ++block)
+  {
+    this->ClearBlock(rectangle[1] - 1, block);
+    this->ClearBlock(rectangle[3], block);
+  }
+  for (int y = rectangle[1]; y < rectangle[3]; ++y)
+  {
+    this->ClearBlock(y, begin - 1);
+    this->ClearBlock(y, end);
+  }
+}
+
+void vtkSurfaceImage::ClearBlock(int y, int block)
+{
+  std::fill_n(this->GetRow(y, Radius) + block * BlockSize, static_cast<int>(BlockSize), 0.0f);
+  this->GetOccupied(y)[block] = 0;
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkSurfaceImage::ReadFloats(vtkSurfaceTarget::Layer layer)
+{
+  const int first = layer == vtkSurfaceTarget::Shape ? NormalX
+    : layer == vtkSurfaceTarget::Interval            ? IntervalX
+                                                     : Red;
+  std::vector<float> pixels(static_cast<size_t>(this->Width) * this->Height * 4, 0.0f);
+  for (int y = this->Bounds[1]; y < this->Bounds[3]; ++y)
+  {
+    const float* radii = this->GetRow(y, Radius);
+    for (int x = this->Bounds[0]; x < this->Bounds[2]; ++x)
+    {
+      float* pixel = &pixels[(static_cast<size_t>(y) * this->Width + x) * 4];
+      for (int k = 0; k < 4 && radii[x] > 0.0f; ++k)
+      {
+        pixel[k] = this->GetRow(y, first + k)[x];
+      }
+    }
+  }
+  return pixels;
+}
+
+std::vector<unsigned int> vtkSurfaceImage::ReadIds()
+{
+  std::vector<unsigned int> pixels(static_cast<size_t>(this->Width) * this->Height, 0);
+  for (int y = this->Bounds[1]; y < this->Bounds[3]; ++y)
+  {
+    const float* radii = this->GetRow(y, Radius);
+    const unsigned int* ids = this->GetIds(y);
+    for (int x = this->Bounds[0]; x < this->Bounds[2]; ++x)
+    {
+      pixels[static_cast<size_t>(y) * this->Width + x] = radii[x] > 0.0f ? ids[x] : 0;
+    }
+  }
+  return pixels;
+}

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The two back ends make the same picture: over projections, sizes, colours, clipping planes,
+// culling, coordinates far from the origin, points that are left out, and published or not. The CPU
+// back end makes the same pixels whatever the number of threads is. The first is compared with a
+// tolerance, since OpenGL implementations round in their own ways.
+
+#include "PointSurfaceTestUtilities.h"
+
+#include "vtkActor.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkPullPushMapper.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSMPTools.h"
+#include "vtkTransform.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+using namespace PointSurfaceTest;
+
+namespace
+{
+constexpr double MeanDifference = 0.2;  // grey levels of 255
+constexpr double LargeDifference = 8.0; // of them
+constexpr unsigned char Background[3] = { 26, 51, 77 };
+constexpr double ShareOfLarge = 0.001; // of the pixels
+
+/// A bumpy ball with a smaller one before it; scalars; the ball's points moved by `shift`.
+vtkSmartPointer<vtkPolyData> MakeCloud(double shift, int dataType)
+{
+  auto cloud = MakeSphereCloud(30000);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(dataType);
+  vtkNew<vtkFloatArray> height;
+  height->SetName("height");
+  for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    cloud->GetPoint(i, x);
+    const double size = i % 3 ? 1.0 + 0.02 * std::sin(12.0 * x[1]) : 0.4;
+    const double offset = i % 3 ? 0.0 : 0.9;
+    height->InsertNextValue(static_cast<float>(x[1]));
+    points->InsertNextPoint(
+      size * x[0] + 0.3 * offset + shift, size * x[1] - 0.5 * shift, size * x[2] + offset);
+  }
+  cloud->SetPoints(points);
+  cloud->GetPointData()->SetScalars(height);
+  return cloud;
+}
+
+struct Scene
+{
+  vtkSmartPointer<vtkPolyData> Cloud = MakeCloud(0.0, VTK_FLOAT);
+  vtkNew<vtkPullPushMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+
+  Scene()
+  {
+    this->Mapper->ScalarVisibilityOff();
+    this->Mapper->SetScalarRange(-1.0, 1.0);
+    this->Actor->SetMapper(this->Mapper);
+    this->Actor->GetProperty()->SetSpecular(0.3);
+    this->Renderer->AddActor(this->Actor);
+    this->Renderer->SetBackground(26.0 / 255.0, 0.2, 77.0 / 255.0);
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(400, 400);
+    this->Window->AddRenderer(this->Renderer);
+  }
+
+  void PlaceCamera()
+  {
+    this->Mapper->SetInputData(this->Cloud);
+    this->Renderer->ResetCamera();
+    this->Renderer->GetActiveCamera()->Azimuth(25.0);
+    this->Renderer->GetActiveCamera()->Elevation(10.0);
+    this->Renderer->GetActiveCamera()->Zoom(1.4);
+    this->Renderer->ResetCameraClippingRange();
+  }
+
+  /// The picture by a back end; empty if another one made it.
+  std::vector<unsigned char> Render(int backend)
+  {
+    this->Mapper->SetBackend(backend);
+    this->Window->Render();
+    vtkNew<vtkUnsignedCharArray> pixels;
+    const int* size = this->Window->GetSize();
+    this->Window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
+    if (this->Mapper->GetLastFrameBackend() != backend)
+    {
+      return {};
+    }
+    return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
+  }
+};
+
+double Difference(
+  const std::vector<unsigned char>& a, const std::vector<unsigned char>& b, size_t i)
+{
+  double largest = 0.0;
+  for (size_t k = 0; k < 3; ++k)
+  {
+    largest = std::max(largest, std::abs(double(a[3 * i + k]) - double(b[3 * i + k])));
+  }
+  return largest;
+}
+
+/// What a case changes in the scene, before the camera is placed and after.
+using Change = std::function<void(Scene&)>;
+
+void Compare(const std::string& name, const Change& before, const Change& after = {})
+{
+  Scene scene;
+  before(scene);
+  scene.PlaceCamera();
+  if (after)
+  {
+    after(scene);
+  }
+  const auto byOpenGL = scene.Render(vtkPullPushMapper::OpenGL);
+  const auto byCPU = scene.Render(vtkPullPushMapper::CPU);
+  if (!Check(!byOpenGL.empty() && byOpenGL.size() == byCPU.size(), name + ": both back ends ran"))
+  {
+    return;
+  }
+  const size_t pixels = byCPU.size() / 3;
+  size_t large = 0;
+  size_t drawn = 0;
+  double sum = 0.0;
+  for (size_t i = 0; i < pixels; ++i)
+  {
+    const double difference = Difference(byOpenGL, byCPU, i);
+    sum += difference;
+    large += difference > LargeDifference;
+    drawn += !std::equal(Background, Background + 3, &byCPU[3 * i]);
+  }
+  CheckAtMost(sum / pixels, MeanDifference, name + ": mean difference");
+  CheckAtMost(double(large) / pixels, ShareOfLarge, name + ": share of large differences");
+  CheckAtLeast(double(drawn) / pixels, 0.02, name + ": share of pixels drawn");
+}
+
+void ComparePictures()
+{
+  Compare("perspective", [](Scene&) {});
+  Compare(
+    "parallel", [](Scene&) {},
+    [](Scene& s) { s.Renderer->GetActiveCamera()->ParallelProjectionOn(); });
+  Compare("as published",
+    [](Scene& s)
+    {
+      s.Mapper->SubpixelCentersOff();
+      s.Mapper->PerspectiveDiscsOff();
+      s.Mapper->DistanceWeightsOff();
+      s.Mapper->UnionRadiiOff();
+      s.Mapper->DepthTestInPushOff();
+      s.Actor->GetProperty()->BackfaceCullingOn();
+    });
+  Compare("lookup table", [](Scene& s) { s.Mapper->ScalarVisibilityOn(); });
+  Compare("lookup table by texture",
+    [](Scene& s)
+    {
+      s.Mapper->ScalarVisibilityOn();
+      s.Mapper->InterpolateScalarsBeforeMappingOn();
+    });
+  Compare("colours with an alpha",
+    [](Scene& s)
+    {
+      vtkNew<vtkUnsignedCharArray> colors;
+      colors->SetNumberOfComponents(4);
+      for (vtkIdType i = 0; i < s.Cloud->GetNumberOfPoints(); ++i)
+      {
+        const double y = s.Cloud->GetPoint(i)[1];
+        colors->InsertNextTuple4(128 + 100 * y, 100, 128 - 100 * y, 255);
+      }
+      s.Cloud->GetPointData()->SetScalars(colors);
+      s.Mapper->ScalarVisibilityOn();
+    });
+  Compare("clipping planes",
+    [](Scene& s)
+    {
+      vtkNew<vtkPlane> oblique;
+      oblique->SetNormal(-1.0, 0.3, 0.2);
+      s.Mapper->AddClippingPlane(oblique);
+      vtkNew<vtkPlane> level;
+      level->SetOrigin(0.0, -0.4, 0.0);
+      level->SetNormal(0.0, 1.0, 0.0);
+      s.Mapper->AddClippingPlane(level);
+    });
+  Compare("back faces culled", [](Scene& s) { s.Actor->GetProperty()->BackfaceCullingOn(); });
+  Compare("front faces culled", [](Scene& s) { s.Actor->GetProperty()->FrontfaceCullingOn(); });
+  Compare("coordinates of 1e7", [](Scene& s) { s.Cloud = MakeCloud(1e7, VTK_DOUBLE); });
+  Compare("coordinates of 1e7, clipped",
+    [](Scene& s)
+    {
+      s.Cloud = MakeCloud(1e7, VTK_DOUBLE);
+      vtkNew<vtkPlane> plane;
+      plane->SetOrigin(1e7, 0.0, 0.0);
+      plane->SetNormal(1.0, 0.0, 0.0);
+      s.Mapper->AddClippingPlane(plane);
+    });
+  Compare("integer coordinates",
+    [](Scene& s)
+    {
+      vtkNew<vtkPoints> points;
+      points->SetDataType(VTK_INT);
+      for (vtkIdType i = 0; i < s.Cloud->GetNumberOfPoints(); ++i)
+      {
+        double x[3];
+        s.Cloud->GetPoint(i, x);
+        points->InsertNextPoint(10000.0 * x[0], 10000.0 * x[1], 10000.0 * x[2]);
+      }
+      s.Cloud->SetPoints(points);
+      s.Mapper->SetRadius(600.0);
+    });
+  Compare("one radius, an actor scaled and mirrored",
+    [](Scene& s)
+    {
+      s.Mapper->SetRadius(0.03);
+      s.Actor->SetScale(-1.0, 0.8, 1.2);
+      s.Actor->RotateX(30.0);
+    });
+  Compare("points left out and normals unknown",
+    [](Scene& s)
+    {
+      s.Cloud->GetPoints()->SetPoint(7, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+      for (vtkIdType i = 0; i < s.Cloud->GetNumberOfPoints(); i += 5)
+      {
+        s.Cloud->GetPointData()->GetNormals()->SetTuple3(i, 0.0, 0.0, 0.0);
+      }
+      // what is warned of is tested in TestHardInput
+      s.Mapper->AddObserver(vtkCommand::WarningEvent, vtkNew<vtkCallbackCommand>());
+    });
+  Compare(
+    "within the cloud", [](Scene&) {},
+    [](Scene& s)
+    {
+      s.Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 0.2);
+      s.Renderer->GetActiveCamera()->SetFocalPoint(1.0, 0.0, 0.0);
+      s.Renderer->ResetCameraClippingRange();
+    });
+  for (const auto& size : { std::array<int, 2>{ 401, 173 }, { 97, 500 }, { 640, 31 } })
+  {
+    Compare(std::to_string(size[0]) + " x " + std::to_string(size[1]),
+      [size](Scene& s) { s.Window->SetSize(size[0], size[1]); });
+  }
+  Compare("a viewport off the origin",
+    [](Scene& s)
+    {
+      s.Window->SetSize(501, 403);
+      s.Renderer->SetViewport(0.25, 0.3, 0.95, 1.0);
+    });
+}
+
+/// The pixels of the surface buffer by the CPU back end on a number of threads.
+vtkSmartPointer<vtkImageData> ReadByThreads(Scene& scene, int threads)
+{
+  auto buffer = vtkSmartPointer<vtkImageData>::New();
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false },
+    [&]()
+    {
+      scene.Mapper->Modified(); // or the buffer of the last frame holds
+      scene.Render(vtkPullPushMapper::CPU);
+      scene.Mapper->ReadSurfaceBuffer(buffer);
+    });
+  return buffer;
+}
+
+void CompareThreads()
+{
+  Scene scene;
+  scene.Mapper->ScalarVisibilityOn();
+  scene.Mapper->RecordPointIdsOn();
+  scene.PlaceCamera();
+  const auto one = ReadByThreads(scene, 1);
+  Check(scene.Mapper->GetLastFrameReconstructions() == 1, "a thread of its own made the buffer");
+  for (int threads : { 2, 3 })
+  {
+    const auto more = ReadByThreads(scene, threads);
+    for (const char* name : { "Normals", "Depth", "Colors", "PointIds" })
+    {
+      vtkDataArray* a = one->GetPointData()->GetArray(name);
+      vtkDataArray* b = more->GetPointData()->GetArray(name);
+      bool same = a && b && a->GetNumberOfValues() == b->GetNumberOfValues() &&
+        a->GetRange()[1] > a->GetRange()[0];
+      for (vtkIdType i = 0; same && i < a->GetNumberOfValues(); ++i)
+      {
+        same = a->GetVariantValue(i) == b->GetVariantValue(i);
+      }
+      Check(same, std::string(name) + " are the same on " + std::to_string(threads) + " threads");
+    }
+  }
+}
+
+/// By what is automatic, what a frame reports, and switching back and forth.
+void CheckChoice()
+{
+  Scene scene;
+  scene.PlaceCamera();
+  Check(scene.Mapper->GetBackend() == vtkPullPushMapper::Automatic, "Automatic is the default");
+  Check(scene.Mapper->GetLastFrameBackend() == vtkPullPushMapper::Automatic, "none before a frame");
+  scene.Window->Render();
+  const std::string capabilities = scene.Window->ReportCapabilities();
+  const bool software = capabilities.find("llvmpipe") != std::string::npos ||
+    capabilities.find("softpipe") != std::string::npos;
+  const int expected = software ? vtkPullPushMapper::CPU : vtkPullPushMapper::OpenGL;
+  Check(scene.Mapper->GetLastFrameBackend() == expected, "the context chooses the back end");
+
+  const auto first = scene.Render(vtkPullPushMapper::CPU);
+  Check(scene.Mapper->GetLastFrameProjectMilliseconds() > 0.0 &&
+      scene.Mapper->GetLastFrameReconstructMilliseconds() > 0.0 &&
+      scene.Mapper->GetLastFrameShadeMilliseconds() > 0.0,
+    "each stage takes time on the CPU back end");
+  Check(scene.Mapper->GetLastFramePointsDrawn() == 30000 && scene.Mapper->GetLastFrameLevels() == 9,
+    "points and levels are counted");
+  scene.Window->Render();
+  Check(scene.Mapper->GetLastFrameReconstructions() == 0 &&
+      scene.Mapper->GetLastFrameProjectMilliseconds() == 0.0,
+    "a still frame makes nothing");
+  scene.Cloud->GetPoints()->SetPoint(0, 0.0, 0.0, 1.5);
+  scene.Cloud->GetPoints()->Modified();
+  scene.Window->Render();
+  Check(scene.Mapper->GetLastFrameReconstructions() == 1, "moved points are seen");
+  scene.Cloud->GetPoints()->SetPoint(0, scene.Cloud->GetPoint(1));
+  scene.Render(vtkPullPushMapper::OpenGL);
+  scene.Render(vtkPullPushMapper::CPU);
+}
+}
+
+int TestBackends(int, char*[])
+{
+  ComparePictures();
+  CompareThreads();
+  CheckChoice();
+  return Failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
