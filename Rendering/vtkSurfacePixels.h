@@ -9,6 +9,8 @@
 #ifndef vtkSurfacePixels_h
 #define vtkSurfacePixels_h
 
+#include <cstddef>
+
 #include <array>
 #include <vector>
 
