@@ -10,6 +10,7 @@
 #ifndef vtkPixelFillCPU_h
 #define vtkPixelFillCPU_h
 
+#include <cstddef>
 #include <vector>
 
 struct vtkPullPushParameters;

@@ -10,6 +10,7 @@
 #define vtkSurfacePixels_h
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 struct vtkSurfacePixels
