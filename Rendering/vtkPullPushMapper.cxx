@@ -94,7 +94,8 @@ void vtkPullPushMapper::MakeSurfacePixels(
   const vtkPullPushParameters parameters(view, this->GetOptions());
   internals.ReconstructionCPU.Run(parameters, internals.ProjectedCPU, surface);
   this->LastFrameLevels = parameters.GetCoarsestLevel();
-  this->LastFramePasses = 2 * parameters.GetCoarsestLevel();
+  this->LastFramePasses =
+    2 * parameters.GetCoarsestLevel() + (parameters.Options.FillPixels ? 1 : 0);
 }
 
 //------------------------------------------------------------------------------

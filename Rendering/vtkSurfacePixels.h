@@ -12,6 +12,7 @@
 #include <cstddef>
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 struct vtkSurfacePixels
