@@ -13,8 +13,7 @@ from pathlib import Path
 from pointsurface import vtkIsosurfacePoints
 from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
-from vtkmodules.vtkImagingCore import vtkImageCast
-from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkImagingCore import vtkImageCast, vtkRTAnalyticSource
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 from vtkmodules.vtkCommonDataModel import vtkSphere
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
@@ -96,20 +95,19 @@ def compare(image, isovalue, runs):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--runs", type=int, default=11, help="runs of each filter (default: 11)")
-    parser.add_argument("--threads", type=int, nargs="*", default=[1, 0], help="0: as many as there are")
+    parser.add_argument("--threads", type=int, default=0, help="0, the default: as many as there are")
     arguments = parser.parse_args()
+    vtkSMPTools.Initialize(arguments.threads)
     print("| volume | threads | backend | vertices | points | flying edges, ms | points, ms | ratio |")
     print("| --- | --- | --- | --- | --- | --- | --- | --- |")
     for name, image, isovalue in cases():
-        for threads in arguments.threads:
-            vtkSMPTools.Initialize(threads)
-            edges, points, edges_time, points_time = compare(image, isovalue, arguments.runs)
-            print(
-                f"| {name} | {vtkSMPTools.GetEstimatedNumberOfThreads()} | {vtkSMPTools.GetBackend()}"
-                f" | {edges.GetOutput().GetNumberOfPoints()} | {points.GetOutput().GetNumberOfPoints()}"
-                f" | {edges_time:.1f} | {points_time:.1f} | {edges_time / points_time:.2f} |",
-                flush=True,
-            )
+        edges, points, edges_time, points_time = compare(image, isovalue, arguments.runs)
+        print(
+            f"| {name} | {vtkSMPTools.GetEstimatedNumberOfThreads()} | {vtkSMPTools.GetBackend()}"
+            f" | {edges.GetOutput().GetNumberOfPoints()} | {points.GetOutput().GetNumberOfPoints()}"
+            f" | {edges_time:.1f} | {points_time:.1f} | {edges_time / points_time:.2f} |",
+            flush=True,
+        )
 
 
 if __name__ == "__main__":
