@@ -7,6 +7,8 @@
 #include "vtkPointProjectionOptions.h"
 #include "vtkPointSurfaceCompat.h"
 #include "vtkPointSurfaceView.h"
+#include "vtkResolveCPU.h"
+#include "vtkResolveOpenGL.h"
 #include "vtkSurfaceBufferShading.h"
 #include "vtkSurfaceImage.h"
 #include "vtkSurfacePixels.h"
@@ -39,6 +41,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 #include "vtkSurfaceBufferVS.h"
+#include "vtkTextureObject.h"
 #include "vtkTimeStamp.h"
 #include "vtkTimerLog.h"
 #include "vtkTransform.h"
@@ -84,7 +87,10 @@ public:
 
   vtkPointProjectionOpenGL Projection;
   vtkPointProjectionCPU ProjectionCPU;
-  vtkSurfacePixels Pixels; // of the CPU back end's last frame
+  vtkSurfacePixels Pixels;       // of the CPU back end's last frame
+  vtkSurfacePixels SamplePixels; // and what they were resolved from, as Samples on OpenGL's
+  vtkSurfaceTarget Samples;
+  vtkResolveOpenGL Resolve;
   std::vector<std::unique_ptr<SurfaceBuffer>> Surfaces;
   SurfaceBuffer* Current = nullptr;
   unsigned long UseCount = 0;
@@ -167,6 +173,8 @@ void vtkPointSurfaceMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Internals->Surfaces.clear();
   this->Internals->Current = nullptr;
   this->Internals->Projection.ReleaseGraphicsResources(window);
+  this->Internals->Samples.ReleaseGraphicsResources(window);
+  this->Internals->Resolve.ReleaseGraphicsResources();
   for (auto& timer : this->Internals->Timers)
   {
     timer.ReleaseGraphicsResources();
@@ -418,7 +426,8 @@ void vtkPointSurfaceMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
   std::fill_n(this->Internals->ClockMilliseconds, static_cast<int>(NumberOfStages), 0.0);
 
   const vtkPointSurfaceView view = this->GetView(renderer, actor);
-  std::copy(view.Rectangle.begin(), view.Rectangle.end(), this->LastFrameRectangle);
+  const auto rectangle = view.GetPixelRectangle();
+  std::copy(rectangle.begin(), rectangle.end(), this->LastFrameRectangle);
   if (this->Internals->Points.GetNumberOfDrawnPoints() == 0 || view.Rectangle[2] <= 0 ||
     view.Rectangle[3] <= 0)
   {
@@ -514,6 +523,21 @@ int GetCulling(vtkProperty* property)
 }
 }
 
+int vtkPointSurfaceMapper::GetPossibleSupersampling(int viewportSize)
+{
+  const int limit = vtkTextureObject::GetMaximumTextureSize(this->Internals->Window);
+  const int possible = std::max(1, std::min(this->Supersampling, limit / viewportSize));
+  if (possible < this->Supersampling)
+  {
+    vtkWarningMacro("A Supersampling of "
+      << this->Supersampling << " of a viewport of " << viewportSize
+      << " pixels would need a texture larger than " << limit << "; it is lowered to " << possible
+      << ".");
+    this->SetSupersampling(possible);
+  }
+  return possible;
+}
+
 vtkPointSurfaceView vtkPointSurfaceMapper::GetView(vtkRenderer* renderer, vtkActor* actor)
 {
   vtkPointSurfaceView view;
@@ -550,7 +574,8 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(vtkRenderer* renderer, vtkAct
   int viewport[4];
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   std::copy_n(viewport, 2, this->Internals->ViewportOrigin);
-  view.Size = { viewport[2], viewport[3] };
+  view.Supersampling = this->GetPossibleSupersampling(std::max(viewport[2], viewport[3]));
+  view.Size = { view.Supersampling * viewport[2], view.Supersampling * viewport[3] };
 
   view.Cull = GetCulling(actor->GetProperty());
   view.NumberOfClippingPlanes = std::min(6, this->GetNumberOfClippingPlanes());
@@ -622,7 +647,9 @@ void vtkPointSurfaceMapper::FindOrMakeSurfaceBuffer(
 
   vtkOpenGLRenderWindow* window = internals.Window;
   vtkOpenGLState* state = window->GetState();
-  surface->Target.Allocate(window, view.Size[0], view.Size[1], layers);
+  surface->Target.Allocate(
+    window, view.Size[0] / view.Supersampling, view.Size[1] / view.Supersampling, layers);
+  const bool resolve = view.Supersampling > 1;
   surface->View = view;
   surface->Valid = true;
   this->LastFrameReconstructions = 1;
@@ -630,7 +657,12 @@ void vtkPointSurfaceMapper::FindOrMakeSurfaceBuffer(
   {
     const bool colored = surface->Target.Has(vtkSurfaceTarget::Color);
     const double start = vtkTimerLog::GetUniversalTime();
-    this->MakeSurfacePixels(view, needsIds, colored, internals.Pixels);
+    vtkSurfacePixels& samples = resolve ? internals.SamplePixels : internals.Pixels;
+    this->MakeSurfacePixels(view, needsIds, colored, samples);
+    if (resolve)
+    {
+      vtkResolveCPU::Run(view, samples, internals.Pixels);
+    }
     surface->Target.Upload(window, internals.Pixels);
     internals.ClockMilliseconds[Reconstruct] =
       1e3 * (vtkTimerLog::GetUniversalTime() - start) - internals.ClockMilliseconds[Project];
@@ -653,7 +685,16 @@ void vtkPointSurfaceMapper::FindOrMakeSurfaceBuffer(
     state->vtkglDisable(GL_MULTISAMPLE);
     state->vtkglDisable(GL_CULL_FACE);
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    this->MakeSurfaceBuffer(window, view, surface->Target);
+    if (resolve)
+    {
+      internals.Samples.Allocate(window, view.Size[0], view.Size[1], layers);
+      this->MakeSurfaceBuffer(window, view, internals.Samples);
+      internals.Resolve.Run(window, view, internals.Samples, surface->Target);
+    }
+    else
+    {
+      this->MakeSurfaceBuffer(window, view, surface->Target);
+    }
     internals.Timers[Reconstruct].Stop();
   }
   state->PopFramebufferBindings();
@@ -759,11 +800,14 @@ void vtkPointSurfaceMapper::SetMapperShaderParameters(
   vtkShaderProgram* program = helper.Program;
   this->Internals->Current->Target.SetSamplers(program, "ps");
   program->SetUniform2i("psOrigin", this->Internals->ViewportOrigin);
+  program->SetUniformi("psHasCoverage", view.Supersampling > 1);
+  const auto pixels = view.GetPixelRectangle();
   float rectangle[4];
   for (int k = 0; k < 2; ++k)
   {
-    rectangle[k] = 2.0f * view.Rectangle[k] / view.Size[k] - 1.0f;
-    rectangle[2 + k] = 2.0f * (view.Rectangle[k] + view.Rectangle[2 + k]) / view.Size[k] - 1.0f;
+    const float size = static_cast<float>(view.Size[k] / view.Supersampling);
+    rectangle[k] = 2.0f * pixels[k] / size - 1.0f;
+    rectangle[2 + k] = 2.0f * (pixels[k] + pixels[2 + k]) / size - 1.0f;
   }
   program->SetUniform4f("psRectangle", rectangle);
   vtkNew<vtkMatrix4x4> matrix;
@@ -792,6 +836,23 @@ vtkOpenGLRenderWindow* vtkPointSurfaceMapper::GetLastWindow() const
   return this->Internals->Window;
 }
 
+namespace
+{
+/// Gives the normals unit length; returns a layer with the length that they had, the coverage.
+std::vector<float> SplitCoverage(std::vector<float>& surface)
+{
+  std::vector<float> coverage(surface.size(), 0.0f);
+  for (size_t i = 0; i < surface.size(); i += 4)
+  {
+    if (surface[i + 3] > 0.0f)
+    {
+      coverage[i] = vtkMath::Normalize(&surface[i]);
+    }
+  }
+  return coverage;
+}
+}
+
 bool vtkPointSurfaceMapper::ReadSurfaceBuffer(vtkImageData* buffer)
 {
   vtkInternals& internals = *this->Internals;
@@ -803,12 +864,14 @@ bool vtkPointSurfaceMapper::ReadSurfaceBuffer(vtkImageData* buffer)
   internals.Window->MakeCurrent();
   vtkOpenGLRenderWindow* window = internals.Window;
   vtkSurfaceTarget& target = internals.Current->Target;
-  const auto& rectangle = internals.Current->View.Rectangle;
+  const auto rectangle = internals.Current->View.GetPixelRectangle();
   buffer->Initialize();
   buffer->SetDimensions(target.GetWidth(), target.GetHeight(), 1);
-  const auto surface = target.ReadFloats(window, vtkSurfaceTarget::Surface, rectangle);
+  auto surface = target.ReadFloats(window, vtkSurfaceTarget::Surface, rectangle);
+  const std::vector<float> coverage = SplitCoverage(surface);
   AddLayer(buffer, surface, "Normals", 0, 3);
   AddLayer(buffer, surface, "Depth", 3, 1);
+  AddLayer(buffer, coverage, "Coverage", 0, 1);
   if (target.Has(vtkSurfaceTarget::Color))
   {
     AddLayer(buffer, target.ReadFloats(window, vtkSurfaceTarget::Color, rectangle), "Colors", 0, 4);
@@ -867,6 +930,7 @@ void vtkPointSurfaceMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RadiusArray: " << (this->RadiusArray ? this->RadiusArray : "(none)") << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "RadiusScale: " << this->RadiusScale << "\n";
+  os << indent << "Supersampling: " << this->Supersampling << "\n";
   os << indent << "RecordPointIds: " << this->RecordPointIds << "\n";
   os << indent << "Backend: " << this->Backend << "\n";
   os << indent << "LastFrameBackend: " << this->LastFrameBackend << "\n";

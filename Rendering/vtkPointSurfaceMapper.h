@@ -76,6 +76,17 @@ public:
   vtkGetMacro(RadiusScale, double);
   ///@}
 
+  ///@{
+  /**
+   * Samples along each side of a pixel, 1 to 4; default 1. The surface buffer is made that many
+   * times finer and then averaged: smoother normals, and outlines that blend with what has been
+   * drawn before (so draw what lies behind first). The cost grows with the number of samples. A
+   * value for which the viewport would be larger than a texture can be is lowered, with a warning.
+   */
+  vtkSetClampMacro(Supersampling, int, 1, 4);
+  vtkGetMacro(Supersampling, int);
+  ///@}
+
   /**
    * What makes the surface buffer from the points.
    */
@@ -134,8 +145,8 @@ public:
    * Copies the surface buffer that the last frame was shaded from into `buffer`: an image with a
    * pixel for each pixel of the viewport, the origin at its lower left. Point arrays: "Normals"
    * (float, 3 components, eye space, unit length, oriented as the points' normals, 0 where there is
-   * no surface), "Depth" (float,
-   * distance from the eye along the view direction in world units, 0 where there is no surface);
+   * no surface), "Depth" (float, distance from the eye along the view direction in world units, 0
+   * where there is no surface), "Coverage" (float, share of the pixel's samples with a surface);
    * "Colors" (float, 4 components, 0 to 1) if the cloud has colours; "PointIds" (int, -1 where
    * there is no surface) if RecordPointIds is on. Returns false, with an error, when nothing has
    * been rendered yet.
@@ -229,6 +240,7 @@ protected:
   char* RadiusArray = nullptr;
   double Radius = 0.0;
   double RadiusScale = 1.0;
+  int Supersampling = 1;
   bool RecordPointIds = false;
   int Backend = Automatic;
 
@@ -250,6 +262,7 @@ private:
   // is needed of them, the first tuple is enough.
   void UploadStandIn(
     const char* attribute, vtkDataArray* array, vtkOpenGLVertexBufferObjectCache* cache);
+  int GetPossibleSupersampling(int viewportSize);
   vtkPointSurfaceView GetView(vtkRenderer* renderer, vtkActor* actor);
   void FindOrMakeSurfaceBuffer(vtkRenderer* renderer, const vtkPointSurfaceView& view);
   void ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* actor);

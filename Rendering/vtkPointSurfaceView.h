@@ -27,7 +27,8 @@ struct vtkPointSurfaceView
   std::array<double, 16> MCVC{}; ///< from uploaded coordinates (VBO shift and scale) to the eye
   std::array<double, 16> VCDC{}; ///< from the eye to clip coordinates
   std::array<double, 9> Normal{};
-  std::array<int, 2> Size{};                             ///< of the surface buffer in pixels
+  std::array<int, 2> Size{}; ///< in samples: what the steps call pixels
+  int Supersampling = 1;     ///< samples along each side of a pixel of the viewport
   std::array<std::array<double, 4>, 6> ClippingPlanes{}; ///< in eye coordinates
   int NumberOfClippingPlanes = 0;
   int Cull = NoCulling;
@@ -36,7 +37,7 @@ struct vtkPointSurfaceView
   vtkMTimeType MapperTime = 0;
 
   // What follows from the above and the cloud's bounds.
-  std::array<int, 4> Rectangle{};     ///< x, y, width, height: nothing is drawn outside
+  std::array<int, 4> Rectangle{};     ///< x, y, width, height in samples: nothing is drawn outside
   std::array<double, 2> DepthRange{}; ///< eye depth between which all points lie
   double LargestRadius = 0.0;         ///< in eye units
   double MeanRadius = 0.0;            ///< in eye units
@@ -44,10 +45,24 @@ struct vtkPointSurfaceView
 
   bool IsParallel() const { return this->VCDC[11] == 0.0; }
 
+  /// The rectangle in pixels of the viewport: x, y, width, height.
+  std::array<int, 4> GetPixelRectangle() const
+  {
+    std::array<int, 4> pixels;
+    for (int k = 0; k < 2; ++k)
+    {
+      const int end = this->Rectangle[k] + this->Rectangle[2 + k];
+      pixels[k] = this->Rectangle[k] / this->Supersampling;
+      pixels[2 + k] = (end + this->Supersampling - 1) / this->Supersampling - pixels[k];
+    }
+    return pixels;
+  }
+
   bool operator==(const vtkPointSurfaceView& other) const
   {
     return this->MCVC == other.MCVC && this->VCDC == other.VCDC && this->Normal == other.Normal &&
-      this->Size == other.Size && this->ClippingPlanes == other.ClippingPlanes &&
+      this->Size == other.Size && this->Supersampling == other.Supersampling &&
+      this->ClippingPlanes == other.ClippingPlanes &&
       this->NumberOfClippingPlanes == other.NumberOfClippingPlanes && this->Cull == other.Cull &&
       this->RadiusScale == other.RadiusScale && this->DataTime == other.DataTime &&
       this->MapperTime == other.MapperTime;

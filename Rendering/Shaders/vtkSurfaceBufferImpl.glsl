@@ -4,6 +4,7 @@
 #ifdef HAS_ID
   psPoint = int(texelFetch(psId, psPixel, 0).r) - 1;
 #endif
+  psCoverage = psHasCoverage ? length(psGeometry.xyz) : 1.0;
   vec4 psColorOrTCoord = vec4(1.0);
 #ifdef HAS_COLOR
   psColorOrTCoord = texelFetch(psColor, psPixel, 0);
