@@ -206,6 +206,15 @@ void ComparePictures()
       level->SetNormal(0.0, 1.0, 0.0);
       s.Mapper->AddClippingPlane(level);
     });
+  for (int samples = 2; samples <= 4; ++samples)
+  {
+    Compare("supersampled " + std::to_string(samples) + " times",
+      [samples](Scene& s)
+      {
+        s.Mapper->ScalarVisibilityOn();
+        s.Mapper->SetSupersampling(samples);
+      });
+  }
   Compare("back faces culled", [](Scene& s) { s.Actor->GetProperty()->BackfaceCullingOn(); });
   Compare("front faces culled", [](Scene& s) { s.Actor->GetProperty()->FrontfaceCullingOn(); });
   Compare("coordinates of 1e7", [](Scene& s) { s.Cloud = MakeCloud(1e7, VTK_DOUBLE); });

@@ -129,12 +129,22 @@ bool IntersectSphere(vtkCamera* camera, int x, int y, double& depth, double norm
   return true;
 }
 
-void CheckSurfaceBuffer(vtkPullPushMapper* mapper, vtkCamera* camera)
+struct Errors
+{
+  double Silhouette = 0.0; ///< intersection over union
+  double Depth = 0.0;      ///< mean, of the diagonal
+  double Angle = 0.0;      ///< mean, in degrees
+  int Partial = 0;         ///< pixels that are covered in part
+};
+
+Errors MeasureSurfaceBuffer(vtkPullPushMapper* mapper, vtkCamera* camera)
 {
   vtkNew<vtkImageData> buffer;
   check(mapper->ReadSurfaceBuffer(buffer), "the surface buffer can be read");
   vtkDataArray* depths = buffer->GetPointData()->GetArray("Depth");
   vtkDataArray* normals = buffer->GetPointData()->GetArray("Normals");
+  vtkDataArray* coverages = buffer->GetPointData()->GetArray("Coverage");
+  Errors errors;
   int both = 0;
   int either = 0;
   double depthError = 0.0;
@@ -148,8 +158,10 @@ void CheckSurfaceBuffer(vtkPullPushMapper* mapper, vtkCamera* camera)
       double trueDepth = 0.0;
       double trueNormal[3];
       const bool hit = IntersectSphere(camera, x, y, trueDepth, trueNormal);
-      either += hit || depth > 0.0;
-      if (hit && depth > 0.0)
+      const double coverage = coverages->GetComponent(pixel, 0);
+      errors.Partial += coverage > 0.0 && coverage < 0.99;
+      either += hit || coverage >= 0.5;
+      if (hit && coverage >= 0.5)
       {
         ++both;
         depthError += std::abs(depth - trueDepth);
@@ -158,9 +170,10 @@ void CheckSurfaceBuffer(vtkPullPushMapper* mapper, vtkCamera* camera)
     }
   }
   const double diagonal = 2.0 * std::sqrt(3.0);
-  check.AtLeast(static_cast<double>(both) / either, 0.98, "intersection over union of silhouettes");
-  check.AtMost(depthError / both / diagonal, 0.0003, "mean depth error, of the diagonal");
-  check.AtMost(vtkMath::DegreesFromRadians(angle / both), 1.5, "mean angle of normals, degrees");
+  errors.Silhouette = static_cast<double>(both) / either;
+  errors.Depth = depthError / both / diagonal;
+  errors.Angle = vtkMath::DegreesFromRadians(angle / both);
+  return errors;
 }
 
 /// Mean over pixels of the largest difference of a channel, 0 to 255.
@@ -195,7 +208,11 @@ int TestPullPushMapper(int argc, char* argv[])
   check(mapper->GetLastFrameReconstructions() == 1, "the first frame makes one surface buffer");
   check(mapper->GetLastFramePasses() == 2 * mapper->GetLastFrameLevels() + 1,
     "each level takes a pull and a push, and then pixels are filled");
-  CheckSurfaceBuffer(mapper, scene.Renderer->GetActiveCamera());
+  const Errors errors = MeasureSurfaceBuffer(mapper, scene.Renderer->GetActiveCamera());
+  check.AtLeast(errors.Silhouette, 0.98, "intersection over union of silhouettes");
+  check.AtMost(errors.Depth, 0.0003, "mean depth error, of the diagonal");
+  check.AtMost(errors.Angle, 0.5, "mean angle of normals, degrees");
+  check(errors.Partial == 0, "without supersampling a pixel is covered or not");
 
   vtkNew<vtkSphereSource> sphere;
   sphere->SetRadius(1.0);
@@ -207,6 +224,20 @@ int TestPullPushMapper(int argc, char* argv[])
   Scene mesh(meshMapper, sphere->GetOutput());
   check.AtMost(
     MeanDifference(scene.Window, mesh.Window), 1.5, "mean difference from the mesh's picture");
+
+  mapper->SetSupersampling(3);
+  scene.Window->Render();
+  const Errors finer = MeasureSurfaceBuffer(mapper, scene.Renderer->GetActiveCamera());
+  check.AtLeast(finer.Silhouette, 0.992, "supersampled: intersection over union of silhouettes");
+  check.AtMost(finer.Angle, 0.8 * errors.Angle, "supersampled: mean angle of normals, degrees");
+  check.AtLeast(finer.Partial, 300, "supersampled: pixels of the outline that are covered in part");
+  mesh.Window->SetMultiSamples(8);
+  mesh.Window->Render();
+  check.AtMost(MeanDifference(scene.Window, mesh.Window), 0.7,
+    "supersampled: mean difference from the mesh's picture");
+  mesh.Window->SetMultiSamples(0);
+  mapper->SetSupersampling(1);
+  scene.Window->Render();
 
   // the cylinder stands out of the cloud at one end and is hidden by it in the middle
   mesh.Cylinder->VisibilityOff();
