@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPixelFillCPU.h"
 
+#include "vtkPointSurfaceVectorize.h"
 #include "vtkPullPushParameters.h"
 #include "vtkSurfacePixels.h"
 
@@ -14,15 +15,6 @@ namespace
 constexpr int Ring[8][2] = { { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 1 }, { -1, 0 }, { -1, -1 },
   { 0, -1 }, { 1, -1 } };
 constexpr float Infinite = 3.4e38f;
-
-/// Whether a pixel shows the back of a surface: its normal points along the ray.
-bool IsBack(const vtkPullPushParameters& parameters, const float* surface, int x, int y)
-{
-  const float ray[2] = { parameters.EyeRay[0] +
-      (static_cast<float>(x) + 0.5f) * parameters.EyeRayStep[0],
-    parameters.EyeRay[1] + (static_cast<float>(y) + 0.5f) * parameters.EyeRayStep[1] };
-  return parameters.TwoSided && surface[0] * ray[0] + surface[1] * ray[1] - surface[2] > 0.0f;
-}
 
 /// The longest run of neighbours along the ring that are not in `mask`.
 int GetLongestRun(unsigned int mask)
@@ -71,19 +63,89 @@ void vtkPixelFillCPU::Run(const vtkPullPushParameters& parameters, vtkSurfacePix
   }
 }
 
+namespace
+{
+/// Whether the pixels of a row are part of a surface, with an empty one at each end.
+VTK_POINT_SURFACE_CLONES
+void FindSurface(const float* surface, int width, unsigned char* found)
+{
+  found[0] = 0;
+  found[width + 1] = 0;
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int x = 0; x < width; ++x)
+  {
+    found[x + 1] = surface[4 * x + 3] > 0.0f ? 1 : 0;
+  }
+}
+
+/// Whether the pixels of a row show the back of a surface: the normal points along the ray.
+VTK_POINT_SURFACE_CLONES
+void FindBacks(
+  const float* surface, int width, float rayX, float rayY, float step, unsigned char* backs)
+{
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int x = 0; x < width; ++x)
+  {
+    const float along = surface[4 * x] * (rayX + static_cast<float>(x) * step) +
+      surface[4 * x + 1] * rayY - surface[4 * x + 2];
+    backs[x] = along > 0.0f ? 1 : 0;
+  }
+}
+
+/// Which pixels of a row may be filled: backs, and empty ones with neighbours on two sides.
+VTK_POINT_SURFACE_CLONES
+void FindCandidates(const unsigned char* const (&found)[3], const unsigned char* backs, int width,
+  unsigned char* candidates)
+{
+  const unsigned char* below = found[0];
+  const unsigned char* row = found[1];
+  const unsigned char* above = found[2];
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int x = 0; x < width; ++x)
+  {
+    const unsigned char left = below[x] | row[x] | above[x];
+    const unsigned char right = below[x + 2] | row[x + 2] | above[x + 2];
+    const unsigned char down = below[x] | below[x + 1] | below[x + 2];
+    const unsigned char up = above[x] | above[x + 1] | above[x + 2];
+    const unsigned char amid = (left & right) | (down & up);
+    const unsigned char empty = row[x + 1] ^ 1;
+    candidates[x] = static_cast<unsigned char>((empty & amid) | backs[x]);
+  }
+}
+}
+
 void vtkPixelFillCPU::FillRow(
   const vtkPullPushParameters& parameters, const vtkSurfacePixels& pixels, int row)
 {
   this->Rows[row].clear();
   const auto& r = pixels.Rectangle;
   const int width = r[2] - r[0];
-  const float* surface = &pixels.Surface[4 * static_cast<size_t>(row) * width];
-  for (int column = 0; column < width; ++column)
+  std::vector<unsigned char> marks(5 * (static_cast<size_t>(width) + 2), 0);
+  auto marksAt = [&](int i) { return marks.data() + i * (static_cast<size_t>(width) + 2); };
+  for (int i = 0; i < 3; ++i)
   {
-    const float* pixel = surface + 4 * column;
+    const int y = row + i - 1;
+    if (y >= 0 && y < r[3] - r[1])
+    {
+      FindSurface(&pixels.Surface[4 * static_cast<size_t>(y) * width], width, marksAt(i));
+    }
+  }
+  unsigned char* backs = marksAt(3);
+  if (parameters.TwoSided)
+  {
+    const auto& ray = parameters.EyeRay;
+    const auto& step = parameters.EyeRayStep;
+    FindBacks(&pixels.Surface[4 * static_cast<size_t>(row) * width], width,
+      ray[0] + (static_cast<float>(r[0]) + 0.5f) * step[0],
+      ray[1] + (static_cast<float>(r[1] + row) + 0.5f) * step[1], step[0], backs);
+  }
+  unsigned char* candidates = marksAt(4);
+  const unsigned char* found[3] = { marksAt(0), marksAt(1), marksAt(2) };
+  FindCandidates(found, backs, width, candidates);
+  for (int x = 0; x < width; ++x)
+  {
     Filled filled;
-    if ((pixel[3] == 0.0f || IsBack(parameters, pixel, r[0] + column, r[1] + row)) &&
-      this->FillPixel(parameters, pixels, column, row, filled))
+    if (candidates[x] && this->FillPixel(parameters, pixels, x, row, filled))
     {
       this->Rows[row].push_back(filled);
     }

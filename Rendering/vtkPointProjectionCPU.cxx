@@ -13,16 +13,20 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
+#include <vector>
 
 namespace
 {
 /// Points that are transformed together.
 constexpr int BlockSize = 256;
+
+/// Points between the one that is fetched and the one whose memory is asked for.
+constexpr size_t FetchAhead = 12;
 
 /// No point: above every key of MakeKey().
 constexpr std::uint64_t NoPoint = ~std::uint64_t(0);
@@ -35,6 +39,11 @@ std::uint64_t MakeKey(float depth, unsigned int id)
   // floats of one sign are ordered as their bits are
   bits = bits & 0x80000000u ? ~bits : bits | 0x80000000u;
   return (std::uint64_t(bits) << 32) | id;
+}
+
+unsigned int GetId(std::uint64_t key)
+{
+  return static_cast<unsigned int>(key & 0xffffffffu);
 }
 
 float GetDepth(std::uint64_t key)
@@ -92,17 +101,16 @@ void LoadListed(
   LoadTuples(block, count, listed, origin);
 }
 
-void Load(Block& block, vtkIdType first, int count, vtkDataArray* array, const unsigned int* ids,
+void Load(Block& block, vtkIdType first, int count, const float* tuples, const unsigned int* ids,
   const double* origin)
 {
-  if (auto* floats = vtkFloatArray::SafeDownCast(array))
-  {
-    const float* tuples = floats->GetPointer(0);
-    ids ? LoadListed(block, count, tuples, ids + first, origin)
-        : LoadFloats(block, count, tuples + 3 * first, origin);
-    return;
-  }
-  const double* tuples = static_cast<vtkDoubleArray*>(array)->GetPointer(0);
+  ids ? LoadListed(block, count, tuples, ids + first, origin)
+      : LoadFloats(block, count, tuples + 3 * first, origin);
+}
+
+void Load(Block& block, vtkIdType first, int count, const double* tuples, const unsigned int* ids,
+  const double* origin)
+{
   ids ? LoadListed(block, count, tuples, ids + first, origin)
       : LoadDoubles(block, count, tuples + 3 * first, origin);
 }
@@ -209,20 +217,30 @@ void vtkPointProjectionCPU::SetPoints(const vtkDrawablePoints* points, vtkDataAr
   this->Points = points;
   vtkPolyData* cloud = points->GetCloud();
   this->Positions = cloud->GetPoints()->GetData();
-  if (!vtkFloatArray::SafeDownCast(this->Positions) &&
-    !vtkDoubleArray::SafeDownCast(this->Positions))
+  if (this->Positions->GetDataType() != VTK_FLOAT && this->Positions->GetDataType() != VTK_DOUBLE)
   {
     this->Positions = vtkSmartPointer<vtkDoubleArray>::New();
     this->Positions->DeepCopy(cloud->GetPoints()->GetData());
   }
-  this->Normals = vtkFloatArray::SafeDownCast(cloud->GetPointData()->GetNormals());
+  const bool inFloats = this->Positions->GetDataType() == VTK_FLOAT;
+  void* positions = this->Positions->GetVoidPointer(0);
+  this->FloatPositions = inFloats ? static_cast<const float*>(positions) : nullptr;
+  this->DoublePositions = inFloats ? nullptr : static_cast<const double*>(positions);
+  this->Normals = static_cast<vtkFloatArray*>(cloud->GetPointData()->GetNormals())->GetPointer(0);
+  this->Radii = points->GetRadii() ? points->GetRadii()->GetPointer(0) : nullptr;
+
   this->Colors = colors;
   this->ColorsTime = colors ? colors->GetMTime() : 0;
-  if (colors && !vtkUnsignedCharArray::SafeDownCast(colors) && !vtkFloatArray::SafeDownCast(colors))
+  if (colors && colors->GetDataType() != VTK_UNSIGNED_CHAR && colors->GetDataType() != VTK_FLOAT)
   {
     this->Colors = vtkSmartPointer<vtkFloatArray>::New();
     this->Colors->DeepCopy(colors);
   }
+  const bool inBytes = colors && this->Colors->GetDataType() == VTK_UNSIGNED_CHAR;
+  void* values = colors ? this->Colors->GetVoidPointer(0) : nullptr;
+  this->ByteColors = inBytes ? static_cast<const unsigned char*>(values) : nullptr;
+  this->FloatColors = inBytes ? nullptr : static_cast<const float*>(values);
+
   const double* bounds = points->GetBounds();
   for (int k = 0; k < 3; ++k)
   {
@@ -309,7 +327,9 @@ void vtkPointProjectionCPU::FindVisiblePoints(const Transform& transform)
     {
       const vtkIdType first = block * BlockSize;
       const int size = static_cast<int>(std::min<vtkIdType>(BlockSize, count - first));
-      Load(positions, first, size, this->Positions, ids, this->Origin.data());
+      this->FloatPositions
+        ? Load(positions, first, size, this->FloatPositions, ids, this->Origin.data())
+        : Load(positions, first, size, this->DoublePositions, ids, this->Origin.data());
       if (culls)
       {
         Load(normals, first, size, this->Normals, ids, zero);
@@ -343,33 +363,51 @@ void vtkPointProjectionCPU::FetchVisiblePoints(
   vtkSMPTools::For(r[1], r[3], 16,
     [&](vtkIdType begin, vtkIdType end)
     {
+      std::vector<std::pair<int, std::uint64_t>> visible; // columns and keys
       for (int y = static_cast<int>(begin); y < end; ++y)
       {
-        for (int block = image.GetBlockBegin(); block < image.GetBlockEnd(); ++block)
+        image.ClearBlocks(y, image.GetBlockBegin(), image.GetBlockEnd());
+        visible.clear();
+        std::atomic<std::uint64_t>* nearest = &this->Nearest[(y - r[1]) * width];
+        for (int x = r[0]; x < r[2]; ++x, ++nearest)
         {
-          image.ClearBlock(y, block);
-        }
-        std::atomic<std::uint64_t>* nearest = &this->Nearest[(y - r[1]) * width] - r[0];
-        for (int x = r[0]; x < r[2]; ++x)
-        {
-          const std::uint64_t key = nearest[x].load(std::memory_order_relaxed);
+          const std::uint64_t key = nearest->load(std::memory_order_relaxed);
           if (key != NoPoint)
           {
-            nearest[x].store(NoPoint, std::memory_order_relaxed);
-            this->FetchPoint(transform, options, key, x, y, image);
+            nearest->store(NoPoint, std::memory_order_relaxed);
+            visible.emplace_back(x, key);
           }
+        }
+        for (size_t i = 0; i < visible.size(); ++i)
+        {
+          if (i + FetchAhead < visible.size())
+          {
+            this->Prefetch(GetId(visible[i + FetchAhead].second));
+          }
+          this->FetchPoint(transform, options, visible[i].second, visible[i].first, y, image);
         }
       }
     });
 }
 
+void vtkPointProjectionCPU::Prefetch(size_t id) const
+{
+  VTK_POINT_SURFACE_PREFETCH(this->Normals + 3 * id);
+  VTK_POINT_SURFACE_PREFETCH(this->FloatPositions
+      ? static_cast<const void*>(this->FloatPositions + 3 * id)
+      : this->DoublePositions + 3 * id);
+  if (this->Radii)
+  {
+    VTK_POINT_SURFACE_PREFETCH(this->Radii + id);
+  }
+}
+
 void vtkPointProjectionCPU::FetchPoint(const Transform& t, const vtkPointProjectionOptions& options,
   std::uint64_t key, int x, int y, vtkSurfaceImage& image) const
 {
-  const auto id = static_cast<unsigned int>(key & 0xffffffffu);
+  const unsigned int id = GetId(key);
   const float depth = GetDepth(key);
-  vtkFloatArray* radii = this->Points->GetRadii();
-  const float* n = this->Normals->GetPointer(3 * static_cast<vtkIdType>(id));
+  const float* n = this->Normals + 3 * static_cast<size_t>(id);
   float normal[3];
   for (int k = 0; k < 3; ++k)
   {
@@ -405,18 +443,20 @@ void vtkPointProjectionCPU::FetchPoint(const Transform& t, const vtkPointProject
     }
   }
 
+  const float radius = t.RadiusScale *
+    (this->Radii ? this->Radii[id] : static_cast<float>(this->Points->GetLargestRadius()));
   image.GetOccupied(y)[x / vtkSurfaceImage::BlockSize] = 1;
+  float* pixel = image.GetRow(y, 0) + x;
+  const size_t plane = image.GetPlaneStride();
   for (int k = 0; k < 3; ++k)
   {
-    image.GetRow(y, vtkSurfaceImage::NormalX + k)[x] = normal[k] / length;
+    pixel[(vtkSurfaceImage::NormalX + k) * plane] = normal[k] / length;
   }
-  const float radius = t.RadiusScale *
-    (radii ? radii->GetValue(id) : static_cast<float>(this->Points->GetLargestRadius()));
-  image.GetRow(y, vtkSurfaceImage::Radius)[x] = radius;
-  image.GetRow(y, vtkSurfaceImage::IntervalX)[x] = depth;
-  image.GetRow(y, vtkSurfaceImage::IntervalY)[x] = options.CenterDepths ? 0.0f : depth + radius;
-  image.GetRow(y, vtkSurfaceImage::CenterX)[x] = center[0];
-  image.GetRow(y, vtkSurfaceImage::CenterY)[x] = center[1];
+  pixel[vtkSurfaceImage::Radius * plane] = radius;
+  pixel[vtkSurfaceImage::IntervalX * plane] = depth;
+  pixel[vtkSurfaceImage::IntervalY * plane] = options.CenterDepths ? 0.0f : depth + radius;
+  pixel[vtkSurfaceImage::CenterX * plane] = center[0];
+  pixel[vtkSurfaceImage::CenterY * plane] = center[1];
   if (image.HasIds())
   {
     image.GetIds(y)[x] = id + 1;
@@ -426,41 +466,31 @@ void vtkPointProjectionCPU::FetchPoint(const Transform& t, const vtkPointProject
     const std::array<float, 4> color = this->GetColor(id);
     for (int k = 0; k < 4; ++k)
     {
-      image.GetRow(y, vtkSurfaceImage::Red + k)[x] = color[k];
+      pixel[(vtkSurfaceImage::Red + k) * plane] = color[k];
     }
   }
 }
 
-std::array<float, 3> vtkPointProjectionCPU::GetPosition(vtkIdType id) const
+std::array<float, 3> vtkPointProjectionCPU::GetPosition(size_t id) const
 {
   std::array<float, 3> position;
-  auto* floats = vtkFloatArray::SafeDownCast(this->Positions);
   for (int k = 0; k < 3; ++k)
   {
-    position[k] = floats
-      ? floats->GetPointer(0)[3 * id + k] - static_cast<float>(this->Origin[k])
-      : static_cast<float>(
-          static_cast<vtkDoubleArray*>(this->Positions.Get())->GetPointer(0)[3 * id + k] -
-          this->Origin[k]);
+    position[k] = this->FloatPositions
+      ? this->FloatPositions[3 * id + k] - static_cast<float>(this->Origin[k])
+      : static_cast<float>(this->DoublePositions[3 * id + k] - this->Origin[k]);
   }
   return position;
 }
 
-std::array<float, 4> vtkPointProjectionCPU::GetColor(vtkIdType id) const
+std::array<float, 4> vtkPointProjectionCPU::GetColor(size_t id) const
 {
   std::array<float, 4> color = { 0.0f, 0.0f, 0.0f, 1.0f };
-  const int components = std::min(this->Colors->GetNumberOfComponents(), 4);
-  if (auto* bytes = vtkUnsignedCharArray::SafeDownCast(this->Colors))
+  const int size = this->Colors->GetNumberOfComponents();
+  for (int k = 0; k < std::min(size, this->ByteColors ? 4 : 2); ++k)
   {
-    const unsigned char* tuple = bytes->GetPointer(this->Colors->GetNumberOfComponents() * id);
-    for (int k = 0; k < components; ++k)
-    {
-      color[k] = tuple[k] / 255.0f;
-    }
-    return color;
+    color[k] = this->ByteColors ? this->ByteColors[size * id + k] / 255.0f
+                                : this->FloatColors[size * id + k];
   }
-  const float* tuple = static_cast<vtkFloatArray*>(this->Colors.Get())
-                         ->GetPointer(this->Colors->GetNumberOfComponents() * id);
-  std::copy_n(tuple, std::min(components, 2), color.begin());
   return color;
 }

@@ -17,12 +17,12 @@
 
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 
 class vtkDataArray;
 class vtkDrawablePoints;
-class vtkFloatArray;
 class vtkSurfaceImage;
 struct vtkPointProjectionOptions;
 struct vtkPointSurfaceView;
@@ -65,13 +65,20 @@ private:
     const Transform& transform, const vtkPointProjectionOptions& options, vtkSurfaceImage& image);
   void FetchPoint(const Transform& transform, const vtkPointProjectionOptions& options,
     std::uint64_t key, int x, int y, vtkSurfaceImage& image) const;
-  std::array<float, 3> GetPosition(vtkIdType id) const; // about the origin
-  std::array<float, 4> GetColor(vtkIdType id) const;
+  void Prefetch(size_t id) const;
+  std::array<float, 3> GetPosition(size_t id) const; // about the origin
+  std::array<float, 4> GetColor(size_t id) const;
 
   const vtkDrawablePoints* Points = nullptr;
   vtkSmartPointer<vtkDataArray> Positions; // floats or doubles
-  vtkSmartPointer<vtkFloatArray> Normals;
-  vtkSmartPointer<vtkDataArray> Colors; // unsigned chars or floats
+  vtkSmartPointer<vtkDataArray> Colors;    // unsigned chars or floats
+  // The values of the arrays; of positions and of colours one of the two.
+  const float* FloatPositions = nullptr;
+  const double* DoublePositions = nullptr;
+  const float* Normals = nullptr;
+  const float* Radii = nullptr;
+  const unsigned char* ByteColors = nullptr;
+  const float* FloatColors = nullptr;
   vtkMTimeType ColorsTime = 0;
   std::array<double, 3> Origin{}; // of the coordinates that are worked with
 

@@ -68,7 +68,17 @@ struct Row
 
 Row GetRow(vtkSurfaceImage& image, int y, int x)
 {
-  return { image.GetRow(y, 0) + x, static_cast<size_t>(image.GetRow(y, 1) - image.GetRow(y, 0)) };
+  return { image.GetRow(y, 0) + x, image.GetPlaneStride() };
+}
+
+template <int N>
+VTK_POINT_SURFACE_INLINE void Copy(const float* from, float* to)
+{
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int i = 0; i < N; ++i)
+  {
+    to[i] = from[i];
+  }
 }
 
 /// The parameters that a pixel needs, by value. Options are numbers to calculate with, since a
@@ -247,7 +257,7 @@ void PullBlock(const Row (&fine)[2], const Row& coarse, int planes, bool centerD
                : PullPixels<false>(children, uniforms, pulled);
   for (int k = 0; k < ShapePlanes; ++k)
   {
-    std::copy_n(pulled.Result.Planes[k], BlockSize, coarse.Plane(k));
+    Copy<BlockSize>(pulled.Result.Planes[k], coarse.Plane(k));
   }
   for (int k = ShapePlanes; k < planes; ++k)
   {
@@ -501,7 +511,7 @@ VTK_POINT_SURFACE_INLINE bool PushRows(
   Pixels<PairSize> parents[4];
   for (int k = 0; k < ShapePlanes; ++k)
   {
-    std::copy_n(fine.Plane(k), PairSize, own.Planes[k]);
+    Copy<PairSize>(fine.Plane(k), own.Planes[k]);
     GatherParents(coarse[0].Plane(k), parents[0].Planes[k], parents[1].Planes[k]);
   }
   if (AllStay<CenterDepths>(own, parents[0]))
@@ -659,10 +669,10 @@ void vtkPullPushReconstructionCPU::Pull(const vtkPullPushParameters& parameters,
       Pulled pulled;
       for (int block = begin; block < end; ++block)
       {
-        coarse.ClearBlock(y, block);
         if (!AnyOccupied(fine.GetOccupied(2 * y), 2 * block, 2 * block + 2) &&
           !AnyOccupied(fine.GetOccupied(2 * y + 1), 2 * block, 2 * block + 2))
         {
+          coarse.ClearBlocks(y, block, block + 1);
           continue;
         }
         const int x = block * BlockSize;

@@ -26,22 +26,21 @@ void vtkSurfaceImage::Allocate(
   this->Bounds = rectangle;
   const int begin = this->GetBlockBegin();
   const int end = this->GetBlockEnd();
-  for (int block = begin - 1; block <= end; ++block)
-  {
-    this->ClearBlock(rectangle[1] - 1, block);
-    this->ClearBlock(rectangle[3], block);
-  }
+  this->ClearBlocks(rectangle[1] - 1, begin - 1, end + 1);
+  this->ClearBlocks(rectangle[3], begin - 1, end + 1);
   for (int y = rectangle[1]; y < rectangle[3]; ++y)
   {
-    this->ClearBlock(y, begin - 1);
-    this->ClearBlock(y, end);
+    this->ClearBlocks(y, begin - 1, begin);
+    this->ClearBlocks(y, end, end + 1);
   }
 }
 
-void vtkSurfaceImage::ClearBlock(int y, int block)
+void vtkSurfaceImage::ClearBlocks(int y, int begin, int end)
 {
-  std::fill_n(this->GetRow(y, Radius) + block * BlockSize, static_cast<int>(BlockSize), 0.0f);
-  this->GetOccupied(y)[block] = 0;
+  float* radii = this->GetRow(y, Radius);
+  std::fill(radii + begin * BlockSize, radii + end * BlockSize, 0.0f);
+  unsigned char* occupied = this->GetOccupied(y);
+  std::fill(occupied + begin, occupied + end, static_cast<unsigned char>(0));
 }
 
 //------------------------------------------------------------------------------

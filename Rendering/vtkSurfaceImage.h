@@ -37,7 +37,7 @@ public:
     NumberOfPlanes
   };
   static constexpr int NumberOfShapePlanes = Red; ///< of Shape and Interval
-  static constexpr int BlockSize = 16;            ///< pixels in a block
+  static constexpr int BlockSize = 8;             ///< pixels in a block
 
   using Rectangle = std::array<int, 4>; ///< x, y, x end, y end
 
@@ -83,9 +83,14 @@ public:
   ///@}
 
   /**
-   * Makes a block of a row invalid.
+   * Floats from a pixel's place in a plane to its place in the next one.
    */
-  void ClearBlock(int y, int block);
+  size_t GetPlaneStride() const { return static_cast<size_t>(this->Stride); }
+
+  /**
+   * Makes blocks [begin, end) of a row invalid.
+   */
+  void ClearBlocks(int y, int begin, int end);
 
   ///@{
   /**
