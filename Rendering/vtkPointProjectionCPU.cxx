@@ -322,6 +322,7 @@ void vtkPointProjectionCPU::FindVisiblePoints(const Transform& transform)
     Block positions;
     Block normals;
     int pixels[BlockSize];
+    int list[BlockSize];
     float depths[BlockSize];
     for (vtkIdType block = begin; block < end; ++block)
     {
@@ -335,12 +336,16 @@ void vtkPointProjectionCPU::FindVisiblePoints(const Transform& transform)
         Load(normals, first, size, this->Normals, ids, zero);
       }
       ProjectBlock(positions, normals, size, transform, pixels, depths);
+      // without a branch that half of the points would take
+      int seen = 0;
       for (int i = 0; i < size; ++i)
       {
-        if (pixels[i] < 0)
-        {
-          continue;
-        }
+        list[seen] = i;
+        seen += pixels[i] >= 0 ? 1 : 0;
+      }
+      for (int k = 0; k < seen; ++k)
+      {
+        const int i = list[k];
         const auto id = static_cast<unsigned int>(ids ? ids[first + i] : first + i);
         const std::uint64_t key = MakeKey(depths[i], id);
         std::atomic<std::uint64_t>& nearest = this->Nearest[pixels[i]];
