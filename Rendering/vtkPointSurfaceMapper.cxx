@@ -291,14 +291,16 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
   const vtkDrawablePoints& points = this->Internals->Points;
   vtkPolyData* cloud = points.GetCloud();
   vtkDataArray* normals = cloud->GetPointData()->GetNormals();
-  vtkDataArray* colors = this->GetPointColors();
-  vtkDataArray* tcoords = cloud->GetPointData()->GetTCoords();
+  vtkDataArray* colors = this->RequireTuples(this->GetPointColors(), "colours");
+  vtkDataArray* coordinates = this->RequireTuples(this->ColorCoordinates, "scalars");
+  vtkDataArray* tcoords =
+    this->RequireTuples(cloud->GetPointData()->GetTCoords(), "texture coordinates");
   if (this->LastFrameBackend == CPU)
   {
     this->Internals->ProjectionCPU.SetPoints(&points,
-      colors                     ? colors
-        : this->ColorCoordinates ? this->ColorCoordinates
-                                 : tcoords);
+      colors          ? colors
+        : coordinates ? coordinates
+                      : tcoords);
     for (const char* name : { "vertexMC", "radiusMC" })
     {
       this->VBOs->RemoveAttribute(name);
@@ -306,9 +308,9 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
     this->UploadStandIn("normalMC", normals, cache);
     this->UploadStandIn("scalarColor", colors, cache);
     this->UploadStandIn("tcoord", tcoords, cache);
-    if (this->ColorCoordinates)
+    if (coordinates)
     {
-      this->UploadStandIn(VTK_POINT_SURFACE_COLOR_TCOORD, this->ColorCoordinates, cache);
+      this->UploadStandIn(VTK_POINT_SURFACE_COLOR_TCOORD, coordinates, cache);
     }
     this->VBOs->BuildAllVBOs(renderer);
     this->VBOBuildTime.Modified();
@@ -336,10 +338,9 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
   this->VBOs->CacheDataArray("radiusMC", points.GetRadii(), cache, VTK_FLOAT);
   this->VBOs->CacheDataArray("scalarColor", colors, cache, VTK_UNSIGNED_CHAR);
   this->VBOs->CacheDataArray("tcoord", tcoords, cache, VTK_FLOAT);
-  if (this->ColorCoordinates)
+  if (coordinates)
   {
-    this->VBOs->CacheDataArray(
-      VTK_POINT_SURFACE_COLOR_TCOORD, this->ColorCoordinates, cache, VTK_FLOAT);
+    this->VBOs->CacheDataArray(VTK_POINT_SURFACE_COLOR_TCOORD, coordinates, cache, VTK_FLOAT);
   }
   this->VBOs->BuildAllVBOs(renderer);
 
@@ -355,6 +356,18 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
   }
   this->Internals->Projection.UploadIds(points.GetDrawnIds());
   this->VBOBuildTime.Modified();
+}
+
+vtkDataArray* vtkPointSurfaceMapper::RequireTuples(vtkDataArray* array, const char* what)
+{
+  const vtkIdType points = this->CurrentInput->GetNumberOfPoints();
+  if (!array || array->GetNumberOfTuples() >= points)
+  {
+    return array;
+  }
+  vtkWarningMacro("There are " << array->GetNumberOfTuples() << " " << what << " for " << points
+                               << " points; they are not used. Give one for each point.");
+  return nullptr;
 }
 
 void vtkPointSurfaceMapper::UploadStandIn(

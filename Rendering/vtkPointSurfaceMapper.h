@@ -258,6 +258,8 @@ private:
   void ChooseBackend();
   void UpdateDrawablePoints();
   vtkDataArray* GetPointColors();
+  // The array if it has a tuple for each point; else nullptr, with a warning.
+  vtkDataArray* RequireTuples(vtkDataArray* array, const char* what);
   // By the components of its buffers VTK knows what its shaders have to do; where nothing but that
   // is needed of them, the first tuple is enough.
   void UploadStandIn(

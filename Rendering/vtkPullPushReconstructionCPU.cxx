@@ -202,7 +202,7 @@ VTK_POINT_SURFACE_INLINE void PullPixels(
     const bool valid = count > 0.0f;
     const float mean = sum.DepthX * inverseCount;
     result.DepthX = valid ? (CenterDepths ? mean : nearest) : 0.0f;
-    result.DepthY = valid & !CenterDepths ? farthest : 0.0f;
+    result.DepthY = (valid & !CenterDepths) ? farthest : 0.0f;
     float unionRadius = 0.0f;
     const float w = u.PixelToEye[2] * result.DepthX + u.PixelToEye[3];
     VTK_POINT_SURFACE_UNROLL
@@ -378,7 +378,7 @@ VTK_POINT_SURFACE_INLINE void PushPixels(const Pixels<PairSize>& fine,
       p[k].CenterX += sideX[i] * (k & 1 ? -1.5f : 0.5f);
       p[k].CenterY += sideY * (k >> 1 ? -1.5f : 0.5f);
       const float distance = GetHit<CenterDepths>(p[k], u, ray).Distance;
-      const float limit = isBack & !FacesAway(p[k], ray) ? u.BackLimit : 1.0f;
+      const float limit = (isBack & !FacesAway(p[k], ray)) ? u.BackLimit : 1.0f;
       const bool covers = (p[k].Radius > 0.0f) & (distance <= limit);
       const float remains = Largest(1.0f - distance, 0.0f);
       // biquadratic B-spline subdivision: 9, 3, 3, 1 of 16
@@ -400,7 +400,8 @@ VTK_POINT_SURFACE_INLINE void PushPixels(const Pixels<PairSize>& fine,
     VTK_POINT_SURFACE_UNROLL
     for (int k = 0; k < 4; ++k)
     {
-      const float w = (range[k].Nearest > frontEnd + u.FrontEndMargin) | keep ? 0.0f : weight[k];
+      const bool dropped = keep | (range[k].Nearest > frontEnd + u.FrontEndMargin);
+      const float w = dropped ? 0.0f : weight[k];
       const float dot =
         p[k].NormalX * main.NormalX + p[k].NormalY * main.NormalY + p[k].NormalZ * main.NormalZ;
       const float side = dot < 0.0f ? u.OppositeSide : 1.0f;

@@ -259,6 +259,7 @@ void ComparePictures()
         s.Cloud->GetPointData()->GetNormals()->SetTuple3(i, 0.0, 0.0, 0.0);
       }
     });
+  vtkObject::GlobalWarningDisplayOn();
   Compare(
     "within the cloud", [](Scene&) {},
     [](Scene& s)
@@ -306,6 +307,24 @@ void CompareThreads()
   check(same, "the CPU back end makes the same on any number of threads");
 }
 
+void CheckShortColors()
+{
+  for (int backend : { vtkPullPushMapper::OpenGL, vtkPullPushMapper::CPU })
+  {
+    Scene scene;
+    vtkNew<vtkFloatArray> few;
+    few->SetName("few");
+    few->InsertNextValue(0.5f);
+    scene.Cloud->GetPointData()->SetScalars(few);
+    scene.Mapper->ScalarVisibilityOn();
+    scene.PlaceCamera();
+    const Messages messages(scene.Mapper);
+    const bool drawn = !scene.Render(backend).empty();
+    check(drawn && messages.Contain("1 colours for 30000 points"),
+      "colours that are too few are warned of and not used");
+  }
+}
+
 /// What is chosen, what a frame reports, and what makes a new buffer.
 void CheckChoice()
 {
@@ -342,6 +361,7 @@ int TestBackends(int, char*[])
 {
   ComparePictures();
   CompareThreads();
+  CheckShortColors();
   CheckChoice();
   return check.GetResult();
 }
