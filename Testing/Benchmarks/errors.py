@@ -5,8 +5,8 @@
     python3 Testing/Benchmarks/errors.py [--gains] [--output [FILE]]
 
 The protocol is that of the constants below: models, number of points, radius, cameras, light. PYTHONPATH must lead to
-the package pointsurface. The models lie in ../shared/data beside the project, or in the folder POINTSURFACE_SHARED_DATA;
-those that are not there are left out. The torus is generated.
+the package pointsurface. The models lie in ../shared/data beside the project, or in the folder
+POINTSURFACE_SHARED_DATA; those that are not there are left out. The torus is generated.
 """
 
 import argparse
@@ -66,8 +66,8 @@ VOLUMES = {
 }
 ISOVALUES = {"ct-head-promed0051": 300, "mr-head-colin27-t1": 50.5}
 MODELS = {**MESHES, **VOLUMES}
-# Where the camera stands from the model's centre, to its side, above and in front, and how far it zooms in on a model that
-# fills FILLED of the picture.
+# Where the camera stands from the model's centre, to its side, above and in front, and how far it zooms in on a model
+# that fills FILLED of the picture.
 VIEWS = {"whole": ((0.5, 0.35, 1), 1), "oblique": ((-1, 0.8, 0.3), 1), "zoomed": ((0.5, 0.35, 1), 4)}
 DISTANCE = 2  # bounding box diagonals
 FILLED = 0.9
@@ -240,8 +240,7 @@ def draw_ours(scene, backface_culling=False, published=False, supersampling=1, w
     mapper.SetInputData(scene.model.cloud)
     if published:
         mapper.SetToPublished()
-    if supersampling > 1:
-        mapper.SetSupersampling(supersampling)
+    mapper.SetSupersampling(supersampling)
     if without is not None:
         getattr(mapper, f"{without}Off")()
     scene.lit.SetBackfaceCulling(backface_culling)
@@ -324,8 +323,7 @@ def draw_rows(scene, truth):
     yield PUBLISHED, PUBLISHED, draw_ours(scene, backface_culling=True, published=True)
     yield CULLED, CULLED, draw_ours(scene, backface_culling=True)
     yield DEFAULT, DEFAULT, draw_ours(scene)
-    if hasattr(vtkPullPushMapper, "SetSupersampling"):
-        yield SUPERSAMPLED, SUPERSAMPLED, draw_ours(scene, supersampling=2)
+    yield SUPERSAMPLED, SUPERSAMPLED, draw_ours(scene, supersampling=2)
     yield (GAUSSIAN, *draw_gaussian(scene, truth))
     yield (POINTS, *draw_points(scene, truth))
     yield SPLATS, SPLATS, draw_splats(scene)
@@ -380,21 +378,19 @@ def measure_gains(model, view):
 
 
 def measure_noise(name, data, views):
-    """By how much the default's lead on the published algorithm varies with the sample of points: the widest range."""
-    leads = {column: [] for column in COLUMNS}
+    """How much the default's lead on the published algorithm varies with the seed: view to column to range."""
+    noise = {}
     for view in views:
         truth = draw_truth(Scene(make_model(name, data, SEEDS[0]), view))
-        of_view = {column: [] for column in COLUMNS}
+        leads = []
         for seed in SEEDS:
             scene = Scene(make_model(name, data, seed), view)
             length = scene.model.mesh.GetLength()
             default = compare(draw_ours(scene), truth, length)
             published = compare(draw_ours(scene, backface_culling=True, published=True), truth, length)
-            for column in COLUMNS:
-                of_view[column].append(improvement(column, default, published))
-        for column in COLUMNS:
-            leads[column].append(np.ptp(of_view[column]))
-    return {column: max(ranges) for column, ranges in leads.items()}
+            leads.append({column: improvement(column, default, published) for column in COLUMNS})
+        noise[view] = {column: np.ptp([lead[column] for lead in leads]) for column in COLUMNS}
+    return noise
 
 
 def improvement(column, measures, others):
@@ -404,7 +400,8 @@ def improvement(column, measures, others):
 
 def write_picture(folder, model, view, kind, image):
     if folder is not None:
-        write_png(os.path.join(folder, f"{model.name}-{view}-{kind.replace(', ', '-').replace(' ', '-')}.png"), image.color)
+        name = f"{model.name}-{view}-{kind}.png".replace(",", "").replace(" ", "-")
+        write_png(os.path.join(folder, name), image.color)
 
 
 def format_value(column, value, sign=""):
@@ -429,23 +426,19 @@ def by_case(rows):
     return cases
 
 
-def format_summary(rows, noise):
+def format_summary(rows, noise, name_of_noise):
     cases = by_case(rows)
-    lines = [
-        "Noise is how far the default's lead on the published algorithm varies with the seed of the points, at most, on the "
-        f"first model ({len(SEEDS)} seeds): "
-        + ", ".join(f"{COLUMNS[name][0]} {format_value(name, noise[name])}" for name in COLUMNS)
-        + "."
-    ]
+    lines = []
     for kind in (DEFAULT, CULLED):
         behind = [
             f"{model}, {view}: {COLUMNS[column][0]} {format_value(column, kinds[kind][column])} "
             f"({format_value(column, kinds[PUBLISHED][column])})"
             for (model, view), kinds in cases.items()
             for column in COLUMNS
-            if improvement(column, kinds[kind], kinds[PUBLISHED]) < -noise[column]
+            if improvement(column, kinds[kind], kinds[PUBLISHED]) < -noise[view][column]
         ]
-        lines.append(f"Behind the published algorithm by more than noise, {kind} (published): {'; '.join(behind) or 'none'}.")
+        behind = "; ".join(behind) or "none"
+        lines.append(f"Behind the published algorithm by more than noise, {kind} (published): {behind}.")
     for other in (GAUSSIAN, PUBLISHED, SPLATS):
         leads = {case: improvement("psnr", kinds[DEFAULT], kinds[other]) for case, kinds in cases.items()}
         least = min(leads, key=leads.get)
@@ -458,7 +451,8 @@ def format_summary(rows, noise):
             worst = max(cases, key=lambda case: cases[case][kind][column])
             value = format_value(column, cases[worst][kind][column])
             lines.append(f"Worst of {COLUMNS[column][0]}, {kind}: {value} ({', '.join(worst)}).")
-    return "".join(f"- {line}\n" for line in lines)
+    rows_of_noise = [Row(name_of_noise, view, "noise", "noise", of_view) for view, of_view in noise.items()]
+    return "".join(f"- {line}\n" for line in lines) + NOISE_HEAD + format_table(rows_of_noise)
 
 
 def format_gains(rows):
@@ -482,7 +476,7 @@ def format_gains(rows):
 
 def make_report(models=tuple(MODELS), views=tuple(VIEWS), with_gains=False, pictures=None):
     """The report as Markdown. Says as it goes on what it is at, and which models are not there."""
-    rows, gains, noise, missing = [], [], None, []
+    rows, gains, noise, name_of_noise, missing = [], [], None, None, []
     for name in models:
         data = read_mesh(name)
         if data is None:
@@ -492,7 +486,7 @@ def make_report(models=tuple(MODELS), views=tuple(VIEWS), with_gains=False, pict
         model = make_model(name, data, SEEDS[0])
         if noise is None and name in MESHES:
             announce(f"{name}: noise")
-            noise = measure_noise(name, data, views)
+            noise, name_of_noise = measure_noise(name, data, views), name
         for view in views:
             announce(f"{name}, {view}")
             rows += measure(model, view, pictures)
@@ -501,7 +495,7 @@ def make_report(models=tuple(MODELS), views=tuple(VIEWS), with_gains=False, pict
     if noise is None:
         raise SystemExit("none of the meshes is there, so that the noise cannot be told; add torus to the models")
     report = HEAD.format(renderer=describe_renderer(), missing=f" Left out: {', '.join(missing)}." if missing else "")
-    report += f"## Summary\n\n{format_summary(rows, noise)}\n## Errors\n\n{format_table(rows)}"
+    report += f"## Summary\n\n{format_summary(rows, noise, name_of_noise)}\n## Errors\n\n{format_table(rows)}"
     if with_gains:
         report += GAINS_HEAD + format_gains(gains)
     return report
@@ -509,16 +503,24 @@ def make_report(models=tuple(MODELS), views=tuple(VIEWS), with_gains=False, pict
 
 HEAD = f"""# Errors against the true surface
 
-{SIZE[0]} x {SIZE[1]} pixels, {COUNT} points sampled uniformly by area, radius {RADIUS} times the mean spacing, normals of
-the mesh; of the heads the points and radii of vtkIsosurfacePoints. Truth: the mesh, {TRUTH_SUPERSAMPLING**2} samples a pixel. Views: the whole
-model, an oblique one, and the first zoomed in four times. OpenGL renderer: {{renderer}}.{{missing}}
+{SIZE[0]} x {SIZE[1]} pixels, {COUNT} points sampled uniformly by area (at random, independent of each other), radius
+{RADIUS} times the mean spacing, normals of the mesh; of the heads the points and radii of vtkIsosurfacePoints.
+Truth: the mesh, {TRUTH_SUPERSAMPLING**2} samples a pixel. Views: the whole model, an oblique one, and the first zoomed
+in four times. OpenGL renderer: {{renderer}}.{{missing}}
 
 Published is backface culling on and all departures from the paper off; default is culling off.
-vtkPointGaussianMapper (opaque discs) and GL points are each at the radius or size of best PSNR; they draw colours of points
-that were lit one by one, and their normals are drawn as colours. EWA splats are the two-pass splatter of
-Testing/Reference, lit by the same terms. Wrong depth is off by more than 1% of the diagonal, of the pixels that both cover;
-unfilled is of the true silhouette. Bunny, armadillo, dragon and buddha are of the Stanford University Computer Graphics
-Laboratory; of the CT head the bone is shown.
+vtkPointGaussianMapper (opaque discs) and GL points are each at the radius or size of best PSNR; they draw colours of
+points that were lit one by one, and their normals are drawn as colours. EWA splats are the two-pass splatter of
+Testing/Reference, lit by the same terms. Wrong depth is off by more than 1% of the diagonal, of the pixels that both
+cover; unfilled is of the true silhouette. Of a flat surface {np.exp(-np.pi * RADIUS**2):.2%} lies in no disc of that
+radius.
+
+Bunny, armadillo, dragon and buddha are of the Stanford University Computer Graphics Laboratory; the CT head is of
+Debian's invesalius-examples (bone), the MR head is Colin 27 of the Montreal Neurological Institute.
+
+"""
+NOISE_HEAD = f"""
+Noise is how far the default's lead on the published algorithm varies between {len(SEEDS)} seeds of the points:
 
 """
 GAINS_HEAD = """
@@ -539,8 +541,9 @@ def announce(what):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--models", nargs="+", choices=MODELS, default=list(MODELS), metavar="MODEL", help="default: all")
-    parser.add_argument("--views", nargs="+", choices=VIEWS, default=list(VIEWS), metavar="VIEW", help="default: all")
+    for option, names in (("--models", list(MODELS)), ("--views", list(VIEWS))):
+        some_of = f"some of {', '.join(names)}; default: all"
+        parser.add_argument(option, nargs="+", choices=names, default=names, metavar="NAME", help=some_of)
     parser.add_argument("--gains", action="store_true", help="also what each departure from the paper gains")
     default_output = os.path.join(HERE, "errors.md")
     parser.add_argument("--output", nargs="?", const=default_output, metavar="FILE", help="write the report to a file")

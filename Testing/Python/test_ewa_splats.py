@@ -50,8 +50,8 @@ def test_sphere():
     # A disc stands out from the sphere by at most r^2/2, and by a low-pass filter of a third of a pixel.
     assert np.count_nonzero((depth > 0) & ~inside) < 0.03 * np.count_nonzero(inside)
 
-    facing = np.sum(true_normals * (true_normals + center), axis=-1) / np.linalg.norm(true_normals + center, axis=-1) < -0.5
-    facing &= inside
+    hits = true_normals + center
+    facing = inside & (np.sum(true_normals * hits, axis=-1) < -0.5 * np.linalg.norm(hits, axis=-1))
     angles = np.degrees(np.arccos(np.clip(np.sum(drawn_normals * true_normals, axis=-1)[facing], -1, 1)))
     assert angles.mean() < 0.2
     assert np.abs(depth - true_depth)[facing].max() < (1.5 * spacing) ** 2

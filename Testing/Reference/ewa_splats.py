@@ -20,8 +20,8 @@ def draw_ewa_splats(points, normals, radii, view, focal_length, size):
     view: (4, 4), from world to eye coordinates, for column vectors; the eye looks along -z.
     focal_length: in pixels; the picture's centre is on the axis.
     size: (width, height) in pixels.
-    Returns eye-space unit normals (height, width, 3) and depth (height, width), the distance from the eye along -z; both
-    0 where there is no surface. Row 0 is at the bottom.
+    Returns eye-space unit normals (height, width, 3) and depth (height, width), the distance from the eye along -z;
+    both 0 where there is no surface. Row 0 is at the bottom.
     """
     width, height = size
     splats = _Splats(points, normals, radii, view, focal_length, size)
@@ -56,10 +56,9 @@ class _Splats:
         x, y, z = self.points.T
         self.center = np.stack([x, y], axis=1) * (focal_length / -z)[:, None] + np.array(size) / 2
 
-        zero = np.zeros_like(z)
-        jacobian = -focal_length / z[:, None, None] * np.array([[zero + 1, zero, -x / z], [zero, zero + 1, -y / z]]).transpose(
-            2, 0, 1
-        )
+        jacobian = np.zeros((len(z), 2, 3))  # of the screen by the eye coordinates
+        jacobian[:, 0, 0] = jacobian[:, 1, 1] = -focal_length / z
+        jacobian[:, 0, 2], jacobian[:, 1, 2] = focal_length * x / z**2, focal_length * y / z**2
         on_normal = np.einsum("nij,nj->ni", jacobian, self.normals)
         disc = jacobian @ jacobian.transpose(0, 2, 1) - on_normal[:, :, None] * on_normal[:, None, :]
         variance = self.radii[:, None, None] ** 2 * disc + LOW_PASS_VARIANCE * np.eye(2)
