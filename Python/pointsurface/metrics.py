@@ -88,6 +88,12 @@ def depth_error(depth, truth, mask, diagonal):
     return float(difference.mean() / diagonal) if difference.size else float("nan")
 
 
+def wrong_depth_share(depth, truth, mask, diagonal):
+    """Share of the pixels of `mask` whose depth is off by more than 1% of `diagonal`; 0 for an empty mask."""
+    difference = np.abs(np.asarray(depth, float)[mask] - np.asarray(truth, float)[mask])
+    return float(np.mean(difference > 0.01 * diagonal)) if difference.size else 0.0
+
+
 def silhouette_iou(mask, truth):
     """Intersection over union of two silhouettes; 1 if both are empty."""
     union = np.count_nonzero(mask | truth)
@@ -104,8 +110,8 @@ def compare(image, truth, diagonal):
     """All measures of a SurfaceImage beside the true one.
 
     diagonal: that of the surface's bounding box, in world units.
-    Returns a dict: psnr (dB), ssim, normal_mean and normal_95 (degrees), depth (fraction of the diagonal), iou and
-    unfilled (0 to 1).
+    Returns a dict: psnr (dB), ssim, normal_mean and normal_95 (degrees), depth (fraction of the diagonal),
+    wrong_depth, iou and unfilled (0 to 1).
     """
     both = image.mask & truth.mask
     normal_mean, normal_95 = normal_angles(image.normals, truth.normals, both)
@@ -115,6 +121,7 @@ def compare(image, truth, diagonal):
         "normal_mean": normal_mean,
         "normal_95": normal_95,
         "depth": depth_error(image.depth, truth.depth, both, diagonal),
+        "wrong_depth": wrong_depth_share(image.depth, truth.depth, both, diagonal),
         "iou": silhouette_iou(image.mask, truth.mask),
         "unfilled": unfilled_share(image.mask, truth.mask),
     }

@@ -72,6 +72,15 @@ def test_silhouettes_and_depth():
     assert metrics.silhouette_iou(~truth & truth, ~truth & truth) == 1.0
 
 
+def test_wrong_depth_is_more_than_a_hundredth_of_the_diagonal():
+    truth = np.full((2, 5), 5.0)
+    depth = truth + np.array([[0, 0.019, -0.019, 0.021, -0.021], [0, 0, 0, 0, 9]])
+    mask = np.ones((2, 5), bool)
+    mask[1, 4] = False
+    assert metrics.wrong_depth_share(depth, truth, mask, diagonal=2.0) == pytest.approx(2 / 9)
+    assert metrics.wrong_depth_share(depth, truth, ~mask & mask, diagonal=2.0) == 0.0
+
+
 def test_compare_measures_where_both_have_a_surface():
     truth_depth = np.zeros((16, 16))
     truth_depth[:, :8] = 2.0
@@ -86,4 +95,5 @@ def test_compare_measures_where_both_have_a_surface():
     assert result["psnr"] == math.inf and result["ssim"] == pytest.approx(1.0)
     assert result["normal_mean"] == 0.0 and result["normal_95"] == 0.0
     assert result["depth"] == pytest.approx(0.05)
+    assert result["wrong_depth"] == 1.0
     assert result["iou"] == 0.5 and result["unfilled"] == 0.5

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The error table's program on one model and view: what it measures must be right, and the default must lead."""
+
+import importlib.util
+import os
+
+import numpy as np
+import pytest
+
+BENCHMARKS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Benchmarks")
+
+
+@pytest.fixture(scope="module")
+def errors():
+    spec = importlib.util.spec_from_file_location("errors", os.path.join(BENCHMARKS, "errors.py"))
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture(scope="module")
+def torus(errors):
+    return errors.make_model("torus", errors.read_mesh("torus"), seed=0)
+
+
+def test_own_shading_is_that_of_vtk(errors, torus):
+    """The true surface, lit by VTK with one sample a pixel, and lit from its normals and depth."""
+    scene = errors.Scene(torus, "oblique")
+    truth = errors.render_truth(torus.mesh, scene.renderer, scene.lit, errors.SIZE, supersampling=1)
+    shaded = errors.shade_image(truth.normals, truth.depth, scene.focal_length())
+    assert np.count_nonzero(truth.mask) > 20000
+    assert np.ptp(truth.color[truth.mask]) > 0.8  # from the shadow to the highlight
+    assert np.abs(shaded - truth.color).max() < 2 / 255
+    assert np.abs(shaded - truth.color).mean() < 0.3 / 255
+
+
+def test_depth_buffer_is_made_linear(errors, torus):
+    scene = errors.Scene(torus, "whole")
+    truth = errors.draw_truth(scene)
+    mapper = errors.vtkPolyDataMapper()
+    mapper.SetInputData(torus.mesh)
+    scene.draw(mapper, scene.lit)
+    depth = scene.read_depth()
+    assert np.array_equal(depth > 0, truth.mask)
+    assert np.abs(depth - truth.depth).max() < 1e-4 * torus.mesh.GetLength()
+
+
+def test_views_show_what_they_say(errors, torus):
+    whole, zoomed = (errors.draw_truth(errors.Scene(torus, view)) for view in ("whole", "zoomed"))
+    rows, columns = np.nonzero(whole.mask)
+    half = np.array(errors.SIZE) / 2
+    reach = max(np.abs(columns + 0.5 - half[0]).max() / half[0], np.abs(rows + 0.5 - half[1]).max() / half[1])
+    assert reach == pytest.approx(errors.FILLED, abs=0.01)
+    assert np.mean(zoomed.mask) > 0.5
+    middle = half.astype(int)
+    assert zoomed.depth[middle[1], middle[0]] == pytest.approx(whole.depth[middle[1], middle[0]], rel=0.01)
+
+
+def test_report(errors):
+    name = "bunny" if errors.read_mesh("bunny") is not None else "torus"
+    report = errors.make_report([name], ["whole"])
+    lines = [line for line in report.splitlines() if line.startswith(f"| {name} | whole |") and "| noise |" not in line]
+    cells = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
+    psnr, ssim, normal_mean, normal_95, depth, iou, unfilled, wrong_depth = range(8)
+    figures = {row[2]: [float(cell) for cell in row[3:]] for row in cells}
+    ours = [errors.PUBLISHED, errors.CULLED, errors.DEFAULT, errors.SUPERSAMPLED]
+    labels = list(figures)
+    assert labels[:4] == ours and labels[6:] == [errors.SPLATS]
+    assert labels[4].startswith(errors.GAUSSIAN) and labels[5].startswith(errors.POINTS)
+
+    default, finer = figures[errors.DEFAULT], figures[errors.SUPERSAMPLED]
+    gaussian = figures[labels[4]]
+    assert default[psnr] > 34 and default[ssim] > 0.965 and default[iou] > 0.985
+    assert default[normal_mean] < 1.7 and default[normal_95] < 5
+    assert default[depth] < 0.05 and default[unfilled] < 0.2
+    assert finer[psnr] > default[psnr] + 1 and finer[normal_mean] < default[normal_mean]
+    assert default[psnr] > gaussian[psnr] + 5
+    assert 35 < figures[errors.SPLATS][psnr] < 50
+    assert "Behind the published algorithm by more than noise, default (published): " in report
+
+
+def test_what_is_not_there_is_left_out(errors, monkeypatch, tmp_path, capsys):
+    monkeypatch.setattr(errors, "DATA", str(tmp_path))
+    with pytest.raises(SystemExit, match="add torus"):
+        errors.make_report(["bunny"], ["whole"])
+    assert f"bunny: not in {tmp_path}, left out" in capsys.readouterr().err
+
+
+def test_every_departure_is_known(errors):
+    assert {"SubpixelCenters", "FillPixels"} <= set(errors.departures())
+    assert "ReleaseDataFlag" not in errors.departures()
