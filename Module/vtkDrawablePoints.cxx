@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDrawablePoints.h"
 
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
@@ -45,6 +48,35 @@ vtkSmartPointer<vtkFloatArray> AsFloats(vtkDataArray* array)
   return floats;
 }
 
+/// Passes the progress of a filter on, and the wish to abort back.
+class ProgressRelay : public vtkCommand
+{
+public:
+  static ProgressRelay* New() { return new ProgressRelay; }
+  vtkTypeMacro(ProgressRelay, vtkCommand);
+  vtkAlgorithm* To = nullptr;
+  void Execute(vtkObject* from, unsigned long, void*) override
+  {
+    auto* filter = static_cast<vtkAlgorithm*>(from);
+    this->To->UpdateProgress(filter->GetProgress());
+    filter->SetAbortExecute(this->To->GetAbortExecute());
+  }
+};
+
+/// The point data that a filter makes of a cloud, with its progress reported as the caller's.
+vtkPointData* UpdateFor(
+  vtkAlgorithm* caller, vtkAlgorithm* filter, vtkPolyData* cloud, const char* what)
+{
+  vtkNew<ProgressRelay> relay;
+  relay->To = caller;
+  filter->AddObserver(vtkCommand::ProgressEvent, relay);
+  filter->SetInputDataObject(cloud);
+  caller->SetProgressText(what);
+  filter->Update();
+  caller->SetProgressText(nullptr);
+  return vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetPointData();
+}
+
 vtkSmartPointer<vtkFloatArray> CopyOf(vtkFloatArray* array)
 {
   auto copy = vtkSmartPointer<vtkFloatArray>::New();
@@ -53,7 +85,8 @@ vtkSmartPointer<vtkFloatArray> CopyOf(vtkFloatArray* array)
 }
 }
 
-std::vector<std::string> vtkDrawablePoints::Build(vtkPolyData* input, const RadiusSource& source)
+std::vector<std::string> vtkDrawablePoints::Build(
+  vtkPolyData* input, const RadiusSource& source, vtkAlgorithm* caller)
 {
   this->Remarks.clear();
   this->Cloud = vtkSmartPointer<vtkPolyData>::New();
@@ -61,8 +94,8 @@ std::vector<std::string> vtkDrawablePoints::Build(vtkPolyData* input, const Radi
   this->SelectPoints(input);
   if (this->NumberOfDrawnPoints > 0)
   {
-    this->SelectNormals(input);
-    this->SelectRadii(input, source);
+    this->SelectNormals(input, caller);
+    this->SelectRadii(input, source, caller);
   }
   return this->Remarks;
 }
@@ -155,7 +188,7 @@ void vtkDrawablePoints::SelectPoints(vtkPolyData* input)
 }
 
 //------------------------------------------------------------------------------
-void vtkDrawablePoints::SelectNormals(vtkPolyData* input)
+void vtkDrawablePoints::SelectNormals(vtkPolyData* input, vtkAlgorithm* caller)
 {
   vtkDataArray* given = input->GetPointData()->GetNormals();
   if (given && given->GetNumberOfTuples() != input->GetNumberOfPoints())
@@ -169,12 +202,7 @@ void vtkDrawablePoints::SelectNormals(vtkPolyData* input)
   }
   if (!given)
   {
-    vtkNew<vtkPointNormals> estimate;
-    estimate->SetInputData(this->Cloud);
-    estimate->Update();
-    given =
-      vtkPolyData::SafeDownCast(estimate->GetOutputDataObject(0))->GetPointData()->GetNormals();
-    this->Cloud->GetPointData()->SetNormals(given);
+    this->EstimateNormals(caller);
     return;
   }
 
@@ -216,7 +244,8 @@ void vtkDrawablePoints::SelectNormals(vtkPolyData* input)
 }
 
 //------------------------------------------------------------------------------
-void vtkDrawablePoints::SelectRadii(vtkPolyData* input, const RadiusSource& source)
+void vtkDrawablePoints::SelectRadii(
+  vtkPolyData* input, const RadiusSource& source, vtkAlgorithm* caller)
 {
   this->Radii = nullptr;
   const vtkIdType count = input->GetNumberOfPoints();
@@ -256,7 +285,7 @@ void vtkDrawablePoints::SelectRadii(vtkPolyData* input, const RadiusSource& sour
   }
   if (!this->Radii)
   {
-    this->EstimateRadii();
+    this->EstimateRadii(caller);
   }
 }
 
@@ -340,18 +369,38 @@ void vtkDrawablePoints::RepairRadii(vtkDataArray* array)
   }
 }
 
-void vtkDrawablePoints::EstimateRadii()
+void vtkDrawablePoints::EstimateNormals(vtkAlgorithm* caller)
 {
-  vtkNew<vtkPointSpacing> spacing;
-  spacing->SetInputData(this->Cloud);
-  spacing->Update();
-  vtkDataSet* output = vtkDataSet::SafeDownCast(spacing->GetOutputDataObject(0));
-  this->Radii = vtkFloatArray::SafeDownCast(output->GetPointData()->GetArray("radius"));
+  vtkNew<vtkPointNormals> estimate;
+  vtkPointData* output = UpdateFor(caller, estimate, this->Cloud, "Estimating normals");
+  vtkSmartPointer<vtkDataArray> normals = output->GetNormals();
+  if (!normals)
+  {
+    vtkNew<vtkFloatArray> facing;
+    facing->SetName("Normals");
+    facing->SetNumberOfComponents(3);
+    facing->SetNumberOfTuples(this->Cloud->GetNumberOfPoints());
+    facing->Fill(0.0);
+    normals = facing;
+    this->Say("The estimate of normals was aborted; points are drawn facing the viewer.");
+  }
+  this->Cloud->GetPointData()->SetNormals(normals);
+}
+
+void vtkDrawablePoints::EstimateRadii(vtkAlgorithm* caller)
+{
+  vtkNew<vtkPointSpacing> estimate;
+  vtkPointData* output = UpdateFor(caller, estimate, this->Cloud, "Estimating radii");
+  this->Radii = vtkFloatArray::SafeDownCast(output->GetArray("radius"));
+  this->LargestRadius = this->MeanRadius = 0.0;
+  if (!this->Radii)
+  {
+    this->Say("The estimate of radii was aborted; nothing is drawn. Set a radius.");
+    return;
+  }
   this->LargestRadius = this->Radii->GetRange()[1];
-  double sum = 0.0;
   for (vtkIdType id = 0; id < this->Radii->GetNumberOfTuples(); ++id)
   {
-    sum += this->Radii->GetValue(id);
+    this->MeanRadius += this->Radii->GetValue(id) / this->Radii->GetNumberOfTuples();
   }
-  this->MeanRadius = sum / this->Radii->GetNumberOfTuples();
 }

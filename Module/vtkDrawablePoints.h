@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+class vtkAlgorithm;
 class vtkDataArray;
 class vtkFloatArray;
 class vtkPoints;
@@ -38,8 +39,11 @@ public:
 
   /**
    * Reads `input`. Returns what has to be said of the data, a line each; empty if there is nothing.
+   * Estimates report their progress as that of `caller`, and stop when it is told to abort: then
+   * all normals face the viewer, and radii are 0.
    */
-  std::vector<std::string> Build(vtkPolyData* input, const RadiusSource& source);
+  std::vector<std::string> Build(
+    vtkPolyData* input, const RadiusSource& source, vtkAlgorithm* caller);
 
   /**
    * The cloud: the input's point arrays, points that are all finite, "Normals" that are finite (a
@@ -67,10 +71,11 @@ public:
 
 private:
   void SelectPoints(vtkPolyData* input);
-  void SelectNormals(vtkPolyData* input);
-  void SelectRadii(vtkPolyData* input, const RadiusSource& source);
+  void SelectNormals(vtkPolyData* input, vtkAlgorithm* caller);
+  void SelectRadii(vtkPolyData* input, const RadiusSource& source, vtkAlgorithm* caller);
   void RepairRadii(vtkDataArray* radii);
-  void EstimateRadii();
+  void EstimateNormals(vtkAlgorithm* caller);
+  void EstimateRadii(vtkAlgorithm* caller);
   void Say(const std::string& line) { this->Remarks.push_back(line); }
 
   vtkSmartPointer<vtkPolyData> Cloud;

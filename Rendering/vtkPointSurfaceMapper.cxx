@@ -235,7 +235,7 @@ void vtkPointSurfaceMapper::UpdateDrawablePoints()
   {
     return;
   }
-  for (const std::string& remark : this->Internals->Points.Build(input, source))
+  for (const std::string& remark : this->Internals->Points.Build(input, source, this))
   {
     vtkWarningMacro(<< remark);
   }

@@ -11,9 +11,11 @@
  * A mapper takes the place of vtkPolyDataMapper: lights, materials, lookup tables, depth against
  * other props come from VTK. The input is a vtkPolyData; its points are drawn, whether they are
  * in cells or not. Normals come from the point data, else they are estimated once
- * (vtkPointNormals). vtkProperty's BackfaceCulling drops points whose normal faces away (as the
- * papers do, for closed surfaces with outward normals); without it, VTK's default, all points are
- * drawn, whichever way their normals point, and the surface is lit from both sides.
+ * (vtkPointNormals), as
+ * radii are: the mapper's progress events tell of it, and AbortExecute stops it. vtkProperty's
+ * BackfaceCulling drops points whose normal faces away (as the papers do, for closed surfaces with
+ * outward normals); without it, VTK's default, all points are drawn, whichever way their normals
+ * point, and the surface is lit from both sides.
  *
  * Input that cannot be drawn as it is gets a warning that names the array, the value and the
  * remedy, and a frame all the same: points with a coordinate that is not finite are left out;

@@ -210,10 +210,47 @@ void Try(const Case& test)
   check(test.Draws == (drawn > 0), std::to_string(drawn) + " pixels of it drawn");
   check.AtLeast(CountCovered(good), 800, "pixels of the good cloud");
 }
+
+/// Estimates of normals and radii report progress through the mapper, which can stop them.
+void TryAbort()
+{
+  std::cout << "---- estimates, aborted" << std::endl;
+  vtkSmartPointer<vtkPolyData> cloud = MakeSphereCloud(2000);
+  cloud->GetPointData()->Initialize();
+  vtkNew<vtkPullPushMapper> mapper;
+  mapper->SetInputData(cloud);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  mapper->AddObserver(vtkCommand::WarningEvent, observer);
+  struct
+  {
+    std::string Texts;
+    void Abort(vtkObject* caller, unsigned long, void*)
+    {
+      auto* algorithm = static_cast<vtkAlgorithm*>(caller);
+      this->Texts += algorithm->GetProgressText() ? algorithm->GetProgressText() : "";
+      algorithm->AbortExecuteOn();
+    }
+  } aborter;
+  mapper->AddObserver(
+    vtkCommand::ProgressEvent, &aborter, &std::remove_reference<decltype(aborter)>::type::Abort);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->AddRenderer(renderer);
+  window->Render();
+  check(aborter.Texts.find("Estimating normals") != std::string::npos &&
+      aborter.Texts.find("Estimating radii") != std::string::npos,
+    "progress is reported: " + aborter.Texts);
+  check(observer->GetWarningMessage().find("aborted") != std::string::npos, "the warning says so");
+}
 }
 
 int TestHardInput(int, char*[])
 {
+  TryAbort();
   for (const Case& test : GetCases())
   {
     Try(test);

@@ -136,6 +136,7 @@ int TestPullPushAgreement(int, char*[])
     { 3, 2, 2000, false, true, 1.5, 4 },
     { 1, 1, 2000, false, true, 1.5, 1 },
     { 1, 100, 2000, true, false, 1.5, 1 },
+    { 16384, 1, 2000, false, false, 1.5, 1 },
   };
   bool all = true;
   for (const Scene& scene : scenes)
