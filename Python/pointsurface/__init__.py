@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Point clouds drawn as the closed, lit surfaces that they stand for, with no mesh.
 
 Importing the package gives every class of the C++ module: ``from pointsurface import vtkPullPushMapper``.
