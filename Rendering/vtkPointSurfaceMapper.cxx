@@ -948,6 +948,9 @@ void vtkPointSurfaceMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Backend: " << this->Backend << "\n";
   os << indent << "LastFrameBackend: " << this->LastFrameBackend << "\n";
   os << indent << "LastFramePointsDrawn: " << this->LastFramePointsDrawn << "\n";
+  const int* r = this->LastFrameRectangle;
+  os << indent << "LastFrameRectangle: " << r[0] << " " << r[1] << " " << r[2] << " " << r[3]
+     << "\n";
   os << indent << "LastFrameLevels: " << this->LastFrameLevels << "\n";
   os << indent << "LastFramePasses: " << this->LastFramePasses << "\n";
   os << indent << "LastFrameReconstructions: " << this->LastFrameReconstructions << "\n";
