@@ -155,7 +155,11 @@ void vtkDrawablePoints::SelectPoints(vtkPolyData* input)
     this->Cloud->SetPoints(vtkNew<vtkPoints>());
     this->Cloud->GetPointData()->Initialize();
     this->Say(count == 0 ? "The input has no points: nothing is drawn."
-                         : "None of the input's points has finite coordinates: nothing is drawn.");
+        : static_cast<vtkIdType>(faulty.size()) < count
+        ? "All of the input's points are hidden (array 'vtkGhostType') or have coordinates that "
+          "are "
+          "not finite: nothing is drawn."
+        : "None of the input's points has finite coordinates: nothing is drawn.");
     return;
   }
   for (int k = 0; k < 3; ++k)
