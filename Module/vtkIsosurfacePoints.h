@@ -14,11 +14,11 @@
  *
  * - `Normals` (float, unit, the active normals): the gradient, by central differences (one-sided at
  *   the border and beside a voxel that is not finite), interpolated along the edge; from inside
- * (the higher values) to outside, unless FlipNormals is on. Where the gradient vanishes, as it
- * often does in label maps, the direction of the edge from inside to outside; so no normal is
- * undefined.
+ *   (the higher values) to outside, unless FlipNormals is on. Where the gradient vanishes, as it
+ *   often does in label maps, the direction of the edge from inside to outside; so no normal is
+ *   undefined.
  * - `radius` (float, in the units of the spacing): balls of these radii cover every triangulation
- * of the points that stays within the cells, that of marching cubes among them; on smooth surfaces
+ *   of the points that stays within the cells, that of marching cubes among them; on smooth surfaces
  *   so do discs in the tangent planes. The radius is the distance from the point to the mean of the
  *   crossings of a cell, the largest of the up to four cells that share the edge. (Proof: take a
  *   triangle between crossings of one cell and project the cell's mean onto its plane. Each of the
@@ -28,8 +28,7 @@
  * Where a voxel equals the isovalue, the crossings of its edges coincide; one point is given for
  * all, with the largest of their radii. The same is done where rounding to the precision of the
  * output makes crossings equal, so that no two points of an isosurface are equal. Edges with an end
- * that is NaN or infinite are skipped, with one warning that counts
- * such voxels. Ghost arrays and
+ * that is NaN or infinite are skipped, with one warning that counts such voxels. Ghost arrays and
  * blanking are ignored, as in vtkFlyingEdges3D.
  *
  * The filter is threaded by vtkSMPTools. Its output is the same, bit for bit, for any backend and

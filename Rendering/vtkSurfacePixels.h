@@ -9,8 +9,6 @@
 #ifndef vtkSurfacePixels_h
 #define vtkSurfacePixels_h
 
-#include <cstddef>
-
 #include <array>
 #include <cstddef>
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The surface buffer and what VTK's fragment template reads from it; see vtkSurfaceBufferImpl.glsl.
 uniform ivec2 psOrigin;    // of the viewport in the framebuffer
 uniform mat4 psVCDC;

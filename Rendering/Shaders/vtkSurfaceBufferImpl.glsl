@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
   ivec2 psPixel = ivec2(gl_FragCoord.xy) - psOrigin;
   vec4 psGeometry = texelFetch(psSurface, psPixel, 0);
   psPoint = psGeometry.w > 0.0 ? 0 : -1;
