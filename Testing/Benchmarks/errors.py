@@ -36,7 +36,7 @@ from pointsurface import vtkIsosurfacePoints, vtkPullPushMapper
 from pointsurface.metrics import SurfaceImage, compare, psnr
 from pointsurface.rendering import offscreen_window, read_color, renderer_string, write_png, write_whole
 from pointsurface.sampling import sample_by_area
-from pointsurface.truth import render_truth
+from pointsurface.truth import mend_normals, render_truth
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "Reference"))
@@ -141,7 +141,9 @@ def make_torus():
 def make_model(name, data, seed):
     """The points of a model as they are drawn, and the mesh that they stand for."""
     if isinstance(data, vtkImageData):
-        return Model(name, run_contour(vtkIsosurfacePoints(), name, data), run_contour(vtkFlyingEdges3D(), name, data))
+        mesh = run_contour(vtkFlyingEdges3D(), name, data)
+        mend_normals(mesh)
+        return Model(name, run_contour(vtkIsosurfacePoints(), name, data), mesh)
     cloud = sample_by_area(data, COUNT, seed)
     radius = cloud.GetPointData().GetArray("radius")  # twice the mean spacing
     vtk_to_numpy(radius)[:] *= RADIUS / 2
