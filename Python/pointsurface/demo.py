@@ -10,10 +10,10 @@ from dataclasses import dataclass
 from typing import Optional
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D, vtkPolyDataNormals
+from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkRenderer
 
 from . import vtkIsosurfacePoints, vtkPullPushMapper
@@ -21,7 +21,7 @@ from .metrics import SurfaceImage, compare
 from .readers import UnreadableFile, read
 from .rendering import offscreen_window, read_color, renderer_string, write_png
 from .timing import time_frames
-from .truth import render_truth
+from .truth import mend_normals, render_truth, with_normals
 from .volumes import gyroid_ball, otsu_threshold
 
 # The MR head of Debian's package mricron-data: Colin 27, Montreal Neurological Institute.
@@ -169,31 +169,9 @@ def _isosurface(name, volume, isovalue):
     contour.ComputeScalarsOff()
     contour.Update()
     mesh = contour.GetOutput()
-    _mend_normals(mesh)
+    mend_normals(mesh)
     title = f"isosurface of {name} at {isovalue:g}"
     return _Subject(title, extract.GetOutput(), mesh, milliseconds)
-
-
-def _mend_normals(mesh):
-    """Where the gradient vanishes VTK's normals are no numbers, or zero; there the triangles' mean is taken."""
-    normals = vtk_to_numpy(mesh.GetPointData().GetNormals()).copy()
-    undefined = ~(np.linalg.norm(normals, axis=1) > 0.5)
-    if np.any(undefined):
-        normals[undefined] = vtk_to_numpy(_with_normals(mesh).GetPointData().GetNormals())[undefined]
-        array = numpy_to_vtk(normals, deep=True)
-        array.SetName("Normals")
-        mesh.GetPointData().SetNormals(array)
-
-
-def _with_normals(mesh):
-    bare = vtkPolyData()
-    bare.CopyStructure(mesh)
-    normals = vtkPolyDataNormals()
-    normals.SetInputData(bare)
-    normals.SplittingOff()
-    normals.ConsistencyOff()
-    normals.Update()
-    return normals.GetOutput()
 
 
 def _points_and_mesh(name, data):
@@ -207,10 +185,10 @@ def _points_and_mesh(name, data):
     if data.GetNumberOfPolys() + data.GetNumberOfStrips() == 0:
         return _Subject(f"points of {name}", points)
     if data.GetPointData().GetNormals() is None:
-        with_normals = _with_normals(data).GetPointData().GetNormals()
+        normals = with_normals(data).GetPointData().GetNormals()
         mesh = vtkPolyData()
         mesh.ShallowCopy(data)
-        mesh.GetPointData().SetNormals(with_normals)
+        mesh.GetPointData().SetNormals(normals)
         return _Subject(f"points of {name}", points, mesh)
     return _Subject(f"points of {name}", points, data)
 

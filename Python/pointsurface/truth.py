@@ -4,7 +4,7 @@
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTriangleFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkCamera, vtkPolyDataMapper, vtkRenderer
 from vtkmodules.vtkRenderingOpenGL2 import vtkCameraPass, vtkRenderPassCollection, vtkSequencePass, vtkValuePass
 
@@ -39,6 +39,30 @@ def render_truth(mesh, renderer, surface_property, size, supersampling=4):
     color = box_average(read_color(scene.window, supersampling), supersampling)
     normals, depth = _normals_and_depth(scene, surface)
     return SurfaceImage(color, normals, depth)
+
+
+def mend_normals(mesh):
+    """Gives a mesh normals where it has undefined ones: those of VTK's contours are no numbers, or zero, where the
+    gradient vanishes; there the triangles' mean is taken."""
+    normals = vtk_to_numpy(mesh.GetPointData().GetNormals()).copy()
+    undefined = ~(np.linalg.norm(normals, axis=1) > 0.5)
+    if np.any(undefined):
+        normals[undefined] = vtk_to_numpy(with_normals(mesh).GetPointData().GetNormals())[undefined]
+        array = numpy_to_vtk(normals, deep=True)
+        array.SetName("Normals")
+        mesh.GetPointData().SetNormals(array)
+
+
+def with_normals(mesh):
+    """The mesh with nothing but point normals, the means of its triangles', and its structure as it is."""
+    bare = vtkPolyData()
+    bare.CopyStructure(mesh)
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(bare)
+    normals.SplittingOff()
+    normals.ConsistencyOff()
+    normals.Update()
+    return normals.GetOutput()
 
 
 class _SceneOfOneSurface:

@@ -99,6 +99,7 @@ def test_a_tilted_disc_is_an_ellipse_in_its_plane():
     pixels = radius * FOCAL_LENGTH / depth
     assert np.ptp(rows) + 1 == pytest.approx(2 * pixels, abs=1)
     assert np.ptp(columns) + 1 == pytest.approx(2 * pixels * np.cos(tilt), abs=1)
+    assert len(rows) == pytest.approx(np.pi * pixels**2 * np.cos(tilt), rel=0.04)
     x, y = (columns + 0.5 - 80) / FOCAL_LENGTH, (rows + 0.5 - 60) / FOCAL_LENGTH
     on_plane = (normal @ center) / (np.stack([x, y, -np.ones_like(x)], axis=1) @ normal)
     assert np.allclose(drawn[rows, columns], on_plane)
