@@ -108,6 +108,15 @@ void vtkDrawablePoints::SelectPoints(vtkPolyData* input)
   vtkUnsignedCharArray* ghosts = vtkUnsignedCharArray::SafeDownCast(
     input->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
 
+  this->InputPoints = points;
+  if (ghosts && ghosts->GetNumberOfTuples() != count)
+  {
+    std::ostringstream line;
+    line << "Array '" << Name(ghosts) << "' has " << ghosts->GetNumberOfTuples() << " values for "
+         << count << " points; no point is hidden. Give one value for each point.";
+    this->Say(line.str());
+    ghosts = nullptr;
+  }
   this->DrawnIds.clear();
   vtkMath::UninitializeBounds(this->Bounds);
   double lower[3] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
@@ -267,7 +276,16 @@ void vtkDrawablePoints::SelectRadii(
   }
   if (!array && source.Radius > 0.0)
   {
+    const double diagonal = this->GetDiagonal();
     this->LargestRadius = this->MeanRadius = source.Radius;
+    if (diagonal > 0.0 && source.Radius > diagonal)
+    {
+      std::ostringstream line;
+      line << "The radius " << source.Radius << " is larger than the whole cloud; its diagonal, "
+           << diagonal << ", is taken. Are radius and coordinates in the same units?";
+      this->Say(line.str());
+      this->LargestRadius = this->MeanRadius = diagonal;
+    }
     return;
   }
   if (!array)
@@ -296,13 +314,7 @@ void vtkDrawablePoints::SelectRadii(
 void vtkDrawablePoints::RepairRadii(vtkDataArray* array)
 {
   // No radius needs to be larger than the cloud; a larger one would overflow in the shaders.
-  double diagonal = 0.0;
-  for (int k = 0; k < 3; ++k)
-  {
-    const double side = this->Bounds[2 * k + 1] - this->Bounds[2 * k];
-    diagonal += side * side;
-  }
-  diagonal = std::sqrt(diagonal);
+  const double diagonal = this->GetDiagonal();
   const double limit = diagonal > 0.0 ? diagonal : VTK_FLOAT_MAX;
 
   const vtkIdType count = array->GetNumberOfTuples();
@@ -373,8 +385,36 @@ void vtkDrawablePoints::RepairRadii(vtkDataArray* array)
   }
 }
 
+bool vtkDrawablePoints::Estimate::IsOf(vtkPoints* points) const
+{
+  return this->Array && this->Points == points && this->Time == points->GetMTime();
+}
+
+void vtkDrawablePoints::Estimate::Set(vtkPoints* points, vtkFloatArray* array)
+{
+  this->Points = points;
+  this->Time = points->GetMTime();
+  this->Array = array;
+}
+
+double vtkDrawablePoints::GetDiagonal() const
+{
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double side = this->Bounds[2 * k + 1] - this->Bounds[2 * k];
+    sum += side * side;
+  }
+  return std::sqrt(sum);
+}
+
 void vtkDrawablePoints::EstimateNormals(vtkAlgorithm* caller)
 {
+  if (this->EstimatedNormals.IsOf(this->InputPoints))
+  {
+    this->Cloud->GetPointData()->SetNormals(this->EstimatedNormals.Array);
+    return;
+  }
   vtkNew<vtkPointNormals> estimate;
   vtkPointData* output = UpdateFor(caller, estimate, this->Cloud, "Estimating normals");
   vtkSmartPointer<vtkDataArray> normals = output->GetNormals();
@@ -388,14 +428,23 @@ void vtkDrawablePoints::EstimateNormals(vtkAlgorithm* caller)
     normals = facing;
     this->Say("The estimate of normals was aborted; points are drawn facing the viewer.");
   }
+  this->EstimatedNormals.Set(this->InputPoints, vtkFloatArray::SafeDownCast(normals));
   this->Cloud->GetPointData()->SetNormals(normals);
 }
 
 void vtkDrawablePoints::EstimateRadii(vtkAlgorithm* caller)
 {
-  vtkNew<vtkPointSpacing> estimate;
-  vtkPointData* output = UpdateFor(caller, estimate, this->Cloud, "Estimating radii");
-  this->Radii = vtkFloatArray::SafeDownCast(output->GetArray("radius"));
+  if (this->EstimatedRadii.IsOf(this->InputPoints))
+  {
+    this->Radii = this->EstimatedRadii.Array;
+  }
+  else
+  {
+    vtkNew<vtkPointSpacing> estimate;
+    vtkPointData* output = UpdateFor(caller, estimate, this->Cloud, "Estimating radii");
+    this->Radii = vtkFloatArray::SafeDownCast(output->GetArray("radius"));
+    this->EstimatedRadii.Set(this->InputPoints, this->Radii);
+  }
   this->LargestRadius = this->MeanRadius = 0.0;
   if (!this->Radii)
   {

@@ -76,8 +76,22 @@ private:
   void RepairRadii(vtkDataArray* radii);
   void EstimateNormals(vtkAlgorithm* caller);
   void EstimateRadii(vtkAlgorithm* caller);
+  double GetDiagonal() const;
   void Say(const std::string& line) { this->Remarks.push_back(line); }
 
+  /// What was estimated from points, kept for as long as these do not change.
+  struct Estimate
+  {
+    vtkPoints* Points = nullptr; // only compared
+    vtkMTimeType Time = 0;
+    vtkSmartPointer<vtkFloatArray> Array;
+    bool IsOf(vtkPoints* points) const;
+    void Set(vtkPoints* points, vtkFloatArray* array);
+  };
+  Estimate EstimatedNormals;
+  Estimate EstimatedRadii;
+
+  vtkPoints* InputPoints = nullptr; // only compared
   vtkSmartPointer<vtkPolyData> Cloud;
   vtkSmartPointer<vtkFloatArray> Radii;
   double LargestRadius = 0.0;

@@ -96,6 +96,7 @@ public:
   unsigned long UseCount = 0;
   std::vector<vtkSurfaceTarget::Layer> ShadedLayers; // that the shading program was made for
   vtkTimeStamp ShadedLayersTime;
+  int WarnedViewportSize = 0; // for which a lower supersampling has been told
   int ViewportOrigin[2] = { 0, 0 };
   vtkOpenGLRenderWindow* Window = nullptr; // of the last frame; cleared when it releases us
   vtkOpenGLRenderTimer Timers[NumberOfStages];
@@ -158,6 +159,8 @@ vtkPointSurfaceMapper::vtkPointSurfaceMapper()
 
 vtkPointSurfaceMapper::~vtkPointSurfaceMapper()
 {
+  // VTK's base class releases too, in the right context, but when our resources are gone
+  this->vtkPointSurfaceMapper::ReleaseGraphicsResources(nullptr);
   this->SetRadiusArray(nullptr);
 }
 
@@ -286,15 +289,28 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
   this->HaveCellScalars = false;
   this->HaveCellNormals = false;
 
+  const vtkDrawablePoints& points = this->Internals->Points;
+  if (points.GetNumberOfDrawnPoints() == 0)
+  {
+    this->VBOBuildTime.Modified();
+    return;
+  }
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkOpenGLVertexBufferObjectCache* cache = window->GetVBOCache();
-  const vtkDrawablePoints& points = this->Internals->Points;
   vtkPolyData* cloud = points.GetCloud();
   vtkDataArray* normals = cloud->GetPointData()->GetNormals();
   vtkDataArray* colors = this->RequireTuples(this->GetPointColors(), "colours");
   vtkDataArray* coordinates = this->RequireTuples(this->ColorCoordinates, "scalars");
-  vtkDataArray* tcoords =
-    this->RequireTuples(cloud->GetPointData()->GetTCoords(), "texture coordinates");
+  // a pixel has room for one of them
+  vtkDataArray* tcoords = colors || coordinates
+    ? nullptr
+    : this->RequireTuples(cloud->GetPointData()->GetTCoords(), "texture coordinates");
+  if (!tcoords && actor->GetTexture() && cloud->GetPointData()->GetTCoords())
+  {
+    vtkWarningMacro(
+      "The points have colours, so the actor's texture is not drawn; turn colours off "
+      "(ScalarVisibilityOff) to see it.");
+  }
   if (this->LastFrameBackend == CPU)
   {
     this->Internals->ProjectionCPU.SetPoints(&points,
@@ -444,6 +460,7 @@ void vtkPointSurfaceMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
   if (this->Internals->Points.GetNumberOfDrawnPoints() == 0 || view.Rectangle[2] <= 0 ||
     view.Rectangle[3] <= 0)
   {
+    this->Internals->Current = nullptr;
     return;
   }
   this->FindOrMakeSurfaceBuffer(renderer, view);
@@ -539,14 +556,15 @@ int GetCulling(vtkProperty* property)
 int vtkPointSurfaceMapper::GetPossibleSupersampling(int viewportSize)
 {
   const int limit = vtkTextureObject::GetMaximumTextureSize(this->Internals->Window);
-  const int possible = std::max(1, std::min(this->Supersampling, limit / viewportSize));
-  if (possible < this->Supersampling)
+  const int possible =
+    std::max(1, std::min(this->Supersampling, limit / std::max(1, viewportSize)));
+  if (possible < this->Supersampling && this->Internals->WarnedViewportSize != viewportSize)
   {
+    this->Internals->WarnedViewportSize = viewportSize;
     vtkWarningMacro("A Supersampling of "
       << this->Supersampling << " of a viewport of " << viewportSize
       << " pixels would need a texture larger than " << limit << "; it is lowered to " << possible
-      << ".");
-    this->SetSupersampling(possible);
+      << " there.");
   }
   return possible;
 }
@@ -607,6 +625,7 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(vtkRenderer* renderer, vtkAct
     }
   }
 
+  view.DataTime = this->Internals->PointsTime.GetMTime();
   // not VBOs->GetMTime(), which new values in an array do not change
   for (const char* name :
     { "vertexMC", "normalMC", "radiusMC", "scalarColor", "tcoord", VTK_POINT_SURFACE_COLOR_TCOORD })
@@ -617,8 +636,7 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(vtkRenderer* renderer, vtkAct
   }
   if (this->LastFrameBackend == CPU)
   {
-    view.DataTime = std::max(
-      this->Internals->PointsTime.GetMTime(), this->Internals->ProjectionCPU.GetColorsTime());
+    view.DataTime = std::max(view.DataTime, this->Internals->ProjectionCPU.GetColorsTime());
   }
   view.MapperTime = this->GetMTime();
 

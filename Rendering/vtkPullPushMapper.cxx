@@ -34,7 +34,10 @@ vtkPullPushMapper::vtkPullPushMapper()
 {
 }
 
-vtkPullPushMapper::~vtkPullPushMapper() = default;
+vtkPullPushMapper::~vtkPullPushMapper()
+{
+  this->vtkPullPushMapper::ReleaseGraphicsResources(nullptr); // see ~vtkPointSurfaceMapper
+}
 
 void vtkPullPushMapper::ReleaseGraphicsResources(vtkWindow* window)
 {

@@ -8,6 +8,7 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -350,10 +351,88 @@ void CheckChoice()
   check(scene.Mapper->GetLastFrameReconstructions() == 0 &&
       scene.Mapper->GetLastFrameProjectMilliseconds() == 0.0,
     "a still frame makes nothing");
-  scene.Cloud->GetPoints()->SetPoint(0, 0.0, 0.0, 1.5);
-  scene.Cloud->GetPoints()->Modified();
-  scene.Window->Render();
-  check(scene.Mapper->GetLastFrameReconstructions() == 1, "moved points are seen");
+}
+
+/// Whatever changes in the input is seen, by both back ends.
+void CheckChanges(int backend, const std::string& name)
+{
+  Scene scene;
+  scene.PlaceCamera();
+  auto last = scene.Render(backend);
+  auto isSeen = [&](const std::string& what)
+  {
+    scene.Cloud->Modified();
+    auto next = scene.Render(backend);
+    check(scene.Mapper->GetLastFrameReconstructions() == 1 && next != last,
+      name + ": " + what + " are seen");
+    last = next;
+  };
+  vtkPoints* points = scene.Cloud->GetPoints();
+  vtkPointData* data = scene.Cloud->GetPointData();
+  const vtkIdType count = points->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double* x = points->GetPoint(i);
+    points->SetPoint(i, 0.8 * x[0], 0.8 * x[1], 0.8 * x[2]);
+  }
+  points->Modified();
+  isSeen("moved points");
+  vtkDataArray* normals = data->GetNormals();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    normals->SetTuple3(i, 0.6, 0.0, 0.8);
+  }
+  normals->Modified();
+  isSeen("turned normals");
+  scene.Mapper->SetRadius(0.2);
+  isSeen("larger radii");
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfValues(count);
+  ghosts->Fill(0.0);
+  for (vtkIdType i = 0; i < count / 2; ++i)
+  {
+    ghosts->SetValue(i, vtkDataSetAttributes::HIDDENPOINT);
+  }
+  data->AddArray(ghosts);
+  isSeen("hidden points");
+  ghosts->Fill(0.0);
+  ghosts->Modified();
+  isSeen("points that are hidden no more");
+}
+
+/// A cloud that shrinks leaves nothing of itself behind.
+void CheckShrinking(int backend, const std::string& name)
+{
+  Scene scene;
+  scene.Mapper->SetRadius(0.05);
+  scene.PlaceCamera();
+  scene.Render(backend);
+  Scene fresh;
+  fresh.Mapper->SetRadius(0.05);
+  fresh.PlaceCamera();
+  for (Scene* s : { &scene, &fresh })
+  {
+    s->Actor->SetScale(0.3);
+    s->Actor->SetPosition(0.31, 0.17, 0.0);
+  }
+  check(scene.Render(backend) == fresh.Render(backend),
+    name + ": a shrunk cloud looks as one that was never larger");
+}
+
+/// The factor on radii does what larger radii do.
+void CheckRadiusScale(int backend, const std::string& name)
+{
+  Scene scene;
+  scene.Mapper->SetRadius(0.04);
+  scene.PlaceCamera();
+  const auto small = scene.Render(backend);
+  scene.Mapper->SetRadiusScale(2.0);
+  const auto scaled = scene.Render(backend);
+  scene.Mapper->SetRadiusScale(1.0);
+  scene.Mapper->SetRadius(0.08);
+  check(scaled == scene.Render(backend) && scaled != small,
+    name + ": RadiusScale is a factor on radii");
 }
 }
 
@@ -363,5 +442,12 @@ int TestBackends(int, char*[])
   CompareThreads();
   CheckShortColors();
   CheckChoice();
+  for (int backend : { vtkPullPushMapper::OpenGL, vtkPullPushMapper::CPU })
+  {
+    const std::string name = backend == vtkPullPushMapper::CPU ? "CPU" : "OpenGL";
+    CheckChanges(backend, name);
+    CheckShrinking(backend, name);
+    CheckRadiusScale(backend, name);
+  }
   return check.GetResult();
 }

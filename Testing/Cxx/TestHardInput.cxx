@@ -6,12 +6,14 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPullPushMapper.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTestErrorObserver.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <functional>
 #include <limits>
@@ -45,6 +47,15 @@ void KeepPoints(vtkPolyData* cloud, vtkIdType count)
   cloud->GetPoints()->SetNumberOfPoints(count);
   cloud->GetPointData()->GetNormals()->SetNumberOfTuples(count);
   Radii(cloud)->SetNumberOfTuples(count);
+}
+
+void AddGhosts(vtkPolyData* cloud, vtkIdType count)
+{
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfValues(count);
+  ghosts->Fill(vtkDataSetAttributes::HIDDENPOINT);
+  cloud->GetPointData()->AddArray(ghosts);
 }
 
 std::vector<Case> GetCases()
@@ -128,6 +139,11 @@ std::vector<Case> GetCases()
     { "too few normals",
       [](vtkPolyData* c, Mapper*) { c->GetPointData()->GetNormals()->SetNumberOfTuples(10); },
       "Array 'Normals' has 10 normals", true },
+    { "a radius larger than the cloud", [](vtkPolyData*, Mapper* m) { m->SetRadius(1e30); },
+      "The radius 1e+30 is larger than the whole cloud", true },
+    { "all points hidden", [](vtkPolyData* c, Mapper*) { AddGhosts(c, 2000); }, "hidden", false },
+    { "too few ghosts", [](vtkPolyData* c, Mapper*) { AddGhosts(c, 10); },
+      "Array 'vtkGhostType' has 10 values for 2000 points", true },
     { "the eye amid the points",
       [](vtkPolyData* c, Mapper*)
       {
@@ -246,10 +262,97 @@ void TryAbort()
     "progress is reported: " + aborter.Texts);
   check(observer->GetWarningMessage().find("aborted") != std::string::npos, "the warning says so");
 }
+
+struct Window
+{
+  vtkNew<vtkPullPushMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> RenderWindow;
+
+  explicit Window(vtkPolyData* cloud)
+  {
+    this->Mapper->SetInputData(cloud);
+    this->Mapper->SetBackendToOpenGL(); // what it leaves behind is most
+    this->Actor->SetMapper(this->Mapper);
+    this->Renderer->AddActor(this->Actor);
+    this->RenderWindow->SetOffScreenRendering(1);
+    this->RenderWindow->SetMultiSamples(0);
+    this->RenderWindow->SetSize(200, 200);
+    this->RenderWindow->AddRenderer(this->Renderer);
+  }
+};
+
+void TryWindows()
+{
+  std::cout << "---- windows" << std::endl;
+  vtkSmartPointer<vtkPolyData> cloud = MakeSphereCloud(2000);
+  Window window(cloud);
+  window.Renderer->SetViewport(0.0, 0.0, 0.0, 1.0);
+  window.RenderWindow->Render();
+  check(CountCovered(window.Mapper) == 0, "a viewport of no width draws nothing");
+  window.Renderer->SetViewport(0.0, 0.0, 1.0, 1.0);
+  window.RenderWindow->Render();
+  const int drawn = CountCovered(window.Mapper);
+  check.AtLeast(drawn, 800, "and with a width it draws the cloud, in pixels");
+
+  // a mapper of another window is destroyed while this window's context is current
+  Window other(cloud);
+  other.RenderWindow->Render();
+  window.RenderWindow->Render();
+  vtkNew<vtkPullPushMapper> replacement;
+  replacement->SetInputData(cloud);
+  {
+    Window brief(cloud);
+    brief.RenderWindow->Render();
+    window.RenderWindow->MakeCurrent();
+    brief.Actor->SetMapper(replacement);
+  }
+  window.Mapper->Modified();
+  window.RenderWindow->Render();
+  check(CountCovered(window.Mapper) == drawn, "the end of another window's mapper harms nothing");
+}
+
+/// Normals and radii are estimated once for the same points, whatever else changes.
+void TryEstimates()
+{
+  std::cout << "---- estimates" << std::endl;
+  vtkSmartPointer<vtkPolyData> cloud = MakeSphereCloud(2000);
+  cloud->GetPointData()->Initialize();
+  Window window(cloud);
+  struct
+  {
+    int Count = 0;
+    void Add(vtkObject* caller, unsigned long, void*)
+    {
+      this->Count += static_cast<vtkAlgorithm*>(caller)->GetProgressText() != nullptr;
+    }
+  } estimates;
+  window.Mapper->AddObserver(
+    vtkCommand::ProgressEvent, &estimates, &std::remove_reference<decltype(estimates)>::type::Add);
+  window.RenderWindow->Render();
+  check.AtLeast(estimates.Count, 2, "progress events of the first frame's estimates");
+  estimates.Count = 0;
+  vtkNew<vtkFloatArray> scalars;
+  scalars->SetNumberOfTuples(2000);
+  scalars->Fill(1.0);
+  cloud->GetPointData()->SetScalars(scalars);
+  window.RenderWindow->Render();
+  window.Mapper->SetRadius(0.1);
+  window.RenderWindow->Render();
+  check(estimates.Count == 0, "new scalars and another radius estimate nothing");
+  cloud->GetPoints()->SetPoint(0, 0.0, 0.0, 2.0);
+  cloud->GetPoints()->Modified();
+  cloud->Modified();
+  window.RenderWindow->Render();
+  check.AtLeast(estimates.Count, 1, "progress events when a point has moved");
+}
 }
 
 int TestHardInput(int, char*[])
 {
+  TryWindows();
+  TryEstimates();
   TryAbort();
   for (const Case& test : GetCases())
   {
