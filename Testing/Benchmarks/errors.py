@@ -435,7 +435,7 @@ def by_case(rows):
 
 
 def list_cases(cases, column, is_listed):
-    """Those of the cases whose kinds are to be listed, with a column of the default, vtkPointGaussianMapper and splats."""
+    """Those of the cases whose kinds are to be listed, with a column of the default, the Gaussian mapper and splats."""
     listed = []
     for case, kinds in cases.items():
         if is_listed(kinds):
