@@ -626,17 +626,20 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(vtkRenderer* renderer, vtkAct
   }
 
   view.DataTime = this->Internals->PointsTime.GetMTime();
-  // not VBOs->GetMTime(), which new values in an array do not change
-  for (const char* name :
-    { "vertexMC", "normalMC", "radiusMC", "scalarColor", "tcoord", VTK_POINT_SURFACE_COLOR_TCOORD })
-  {
-    vtkOpenGLVertexBufferObject* buffer = this->VBOs->GetVBO(name);
-    view.DataTime =
-      std::max(view.DataTime, buffer ? buffer->GetUploadTime().GetMTime() : vtkMTimeType(0));
-  }
   if (this->LastFrameBackend == CPU)
   {
     view.DataTime = std::max(view.DataTime, this->Internals->ProjectionCPU.GetColorsTime());
+  }
+  else
+  {
+    // not VBOs->GetMTime(), which new values in an array do not change
+    for (const char* name : { "vertexMC", "normalMC", "radiusMC", "scalarColor", "tcoord",
+           VTK_POINT_SURFACE_COLOR_TCOORD })
+    {
+      vtkOpenGLVertexBufferObject* buffer = this->VBOs->GetVBO(name);
+      view.DataTime =
+        std::max(view.DataTime, buffer ? buffer->GetUploadTime().GetMTime() : vtkMTimeType(0));
+    }
   }
   view.MapperTime = this->GetMTime();
 
