@@ -17,4 +17,12 @@
   psVertexVC = vec4((psNDC * psW - psVCDC[2].xy * psZ - psVCDC[3].xy) / vec2(psVCDC[0][0], psVCDC[1][1]), psZ, 1.0);
   psFragCoordZ = psPoint < 0 ? 1.0 : 0.5 * (psVCDC[2][2] * psZ + psVCDC[3][2]) / psW + 0.5;
   psFragCoordW = 1.0 / psW;
-  psFrontFacing = psVCDC[2][3] == 0.0 ? psGeometry.z >= 0.0 : dot(psGeometry.xyz, psVertexVC.xyz) <= 0.0;
+  // Just past an outline normals point a little away: those of the front, bent to the side. What
+  // points far away is the back.
+  vec3 psToViewer = psVCDC[2][3] == 0.0 ? vec3(0.0, 0.0, 1.0) : -normalize(psVertexVC.xyz);
+  float psFacing = dot(normalize(psGeometry.xyz), psToViewer);
+  psFrontFacing = psFacing > -0.3;
+  if (psFrontFacing && psFacing < 0.0)
+  {
+    psGeometry.xyz -= psFacing * length(psGeometry.xyz) * psToViewer;
+  }
