@@ -19,7 +19,10 @@ bool vtkProgressFor(vtkAlgorithm* filter, vtkIdType count, vtkIdType batch, doub
   for (vtkIdType begin = 0; begin < count && !filter->GetAbortExecute(); begin += batch)
   {
     const vtkIdType end = std::min(begin + batch, count);
-    vtkSMPTools::For(begin, end, functor);
+    // long ranges: each may begin with work that the one before it has done
+    const vtkIdType threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+    const vtkIdType grain = std::max<vtkIdType>(1, (end - begin) / (8 * threads));
+    vtkSMPTools::For(begin, end, grain, functor);
     filter->UpdateProgress(from + (to - from) * end / count);
   }
   return !filter->GetAbortExecute();

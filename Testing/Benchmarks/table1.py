@@ -119,7 +119,7 @@ def make_table(cases=CASES, sizes=SIZES):
     head = f"""# Table 1 of the pull-push paper, measured
 
 Milliseconds a frame: the median of 20, camera moving, on {mesh['renderer']}. In brackets the projection of the points
-and the pull-push interpolation by OpenGL's timer, and the number of triangles of the mesh. As published: backface
+and the pull-push interpolation, by OpenGL's timer or, on the CPU back end, the clock, and the number of triangles of the mesh. As published: backface
 culling on, the departures from the paper off. The points are sampled uniformly by area. Bunny, armadillo, buddha and
 dragon are of the Stanford University Computer Graphics Laboratory.
 
