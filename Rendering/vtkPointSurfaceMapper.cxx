@@ -860,11 +860,6 @@ void vtkPointSurfaceMapper::SetMapperShaderParameters(
 }
 
 //------------------------------------------------------------------------------
-const vtkPointSurfaceView* vtkPointSurfaceMapper::GetLastView() const
-{
-  return this->Internals->Current ? &this->Internals->Current->View : nullptr;
-}
-
 vtkOpenGLRenderWindow* vtkPointSurfaceMapper::GetLastWindow() const
 {
   return this->Internals->Window;

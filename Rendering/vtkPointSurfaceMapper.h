@@ -203,9 +203,8 @@ protected:
     bool ids, bool colors, vtkSurfaceImage& projected);
 
   /**
-   * The view of the last frame's surface buffer, and the window; nullptr before the first frame.
+   * The window of the last frame; nullptr before the first one.
    */
-  const vtkPointSurfaceView* GetLastView() const;
   vtkOpenGLRenderWindow* GetLastWindow() const;
 
   ///@{
