@@ -14,6 +14,8 @@
 
 #include <array>
 
+class vtkMatrix4x4;
+
 struct vtkPointSurfaceView
 {
   /// Faces that are dropped, as in vtkProperty.
@@ -44,6 +46,13 @@ struct vtkPointSurfaceView
   double TypicalRadius = 0.0;         ///< in pixels, amid the cloud
 
   bool IsParallel() const { return this->VCDC[11] == 0.0; }
+
+  /// The largest factor by which a matrix (row vectors) stretches an axis.
+  static double GetLargestStretch(vtkMatrix4x4* matrix);
+
+  /// Sets what follows: the rectangle, the range of depth and the typical radius, from the bounds
+  /// of the cloud in model coordinates. All else is set.
+  void SetExtent(vtkMatrix4x4* modelToEye, const double bounds[6]);
 
   /// The rectangle in pixels of the viewport: x, y, width, height.
   std::array<int, 4> GetPixelRectangle() const
