@@ -86,15 +86,24 @@ vtkSmartPointer<vtkFloatArray> CopyOf(vtkFloatArray* array)
 }
 
 std::vector<std::string> vtkDrawablePoints::Build(
-  vtkPolyData* input, const RadiusSource& source, vtkAlgorithm* caller)
+  vtkPolyData* input, const Needs& needs, const RadiusSource& source, vtkAlgorithm* caller)
 {
   this->Remarks.clear();
   this->Cloud = vtkSmartPointer<vtkPolyData>::New();
   this->Cloud->GetPointData()->ShallowCopy(input->GetPointData());
   this->SelectPoints(input);
-  if (this->NumberOfDrawnPoints > 0)
+  this->Radii = nullptr;
+  this->LargestRadius = this->MeanRadius = 0.0;
+  if (!needs.Normals)
+  {
+    this->Cloud->GetPointData()->SetNormals(nullptr);
+  }
+  else if (this->NumberOfDrawnPoints > 0)
   {
     this->SelectNormals(input, caller);
+  }
+  if (needs.Radii && this->NumberOfDrawnPoints > 0)
+  {
     this->SelectRadii(input, source, caller);
   }
   return this->Remarks;
@@ -260,7 +269,6 @@ void vtkDrawablePoints::SelectNormals(vtkPolyData* input, vtkAlgorithm* caller)
 void vtkDrawablePoints::SelectRadii(
   vtkPolyData* input, const RadiusSource& source, vtkAlgorithm* caller)
 {
-  this->Radii = nullptr;
   const vtkIdType count = input->GetNumberOfPoints();
   vtkPointData* pointData = input->GetPointData();
   vtkDataArray* array = nullptr;

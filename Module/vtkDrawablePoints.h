@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkDrawablePoints
- * @brief   a cloud as the mappers upload it: every point with a position, a normal and a radius
+ * @brief   a cloud as the mappers upload it: every point with a position, and with a normal and a
+ *          radius where the mapper needs them
  *
  * Takes the points of a vtkPolyData and what the user said of radii, and keeps the faults of the
  * data away from the graphics card. Points and attributes keep their order and count, so that ids
@@ -38,25 +39,46 @@ public:
   };
 
   /**
+   * What the mapper makes use of. What it does not need is neither checked nor estimated.
+   */
+  struct Needs
+  {
+    bool Normals = true;
+    bool Radii = true;
+  };
+
+  /**
    * Reads `input`. Returns what has to be said of the data, a line each; empty if there is nothing.
    * Estimates report their progress as that of `caller`, and stop when it is told to abort: then
    * all normals face the viewer, and radii are 0.
    */
   std::vector<std::string> Build(
-    vtkPolyData* input, const RadiusSource& source, vtkAlgorithm* caller);
+    vtkPolyData* input, const Needs& needs, const RadiusSource& source, vtkAlgorithm* caller);
 
   /**
    * The cloud: the input's point arrays, points that are all finite, "Normals" that are finite (a
-   * zero normal means: facing the viewer), and no cells.
+   * zero normal means: facing the viewer) where they are needed, else none, and no cells.
    */
   vtkPolyData* GetCloud() const { return this->Cloud; }
 
   /**
-   * A radius for each point; nullptr when all have the radius `GetLargestRadius()`.
+   * A radius for each point; nullptr when all have the radius `GetUniformRadius()`.
    */
   vtkFloatArray* GetRadii() const { return this->Radii; }
+
+  /**
+   * The radius of all points where there is no array of radii; 1 if radii are not needed and none
+   * is known, so that a pixel's radius says still whether a point is there.
+   */
+  double GetUniformRadius() const { return this->LargestRadius > 0.0 ? this->LargestRadius : 1.0; }
+
+  ///@{
+  /**
+   * Of the points' radii; 0 if none is known.
+   */
   double GetLargestRadius() const { return this->LargestRadius; }
   double GetMeanRadius() const { return this->MeanRadius; }
+  ///@}
 
   /**
    * Ids of the points to draw; empty when all `GetNumberOfDrawnPoints()` of them are drawn.

@@ -226,7 +226,8 @@ void vtkPointProjectionCPU::SetPoints(const vtkDrawablePoints* points, vtkDataAr
   void* positions = this->Positions->GetVoidPointer(0);
   this->FloatPositions = inFloats ? static_cast<const float*>(positions) : nullptr;
   this->DoublePositions = inFloats ? nullptr : static_cast<const double*>(positions);
-  this->Normals = static_cast<vtkFloatArray*>(cloud->GetPointData()->GetNormals())->GetPointer(0);
+  auto* normals = static_cast<vtkFloatArray*>(cloud->GetPointData()->GetNormals());
+  this->Normals = normals ? normals->GetPointer(0) : nullptr;
   this->Radii = points->GetRadii() ? points->GetRadii()->GetPointer(0) : nullptr;
 
   this->Colors = colors;
@@ -397,7 +398,10 @@ void vtkPointProjectionCPU::FetchVisiblePoints(
 
 void vtkPointProjectionCPU::Prefetch(size_t id) const
 {
-  VTK_POINT_SURFACE_PREFETCH(this->Normals + 3 * id);
+  if (this->Normals)
+  {
+    VTK_POINT_SURFACE_PREFETCH(this->Normals + 3 * id);
+  }
   VTK_POINT_SURFACE_PREFETCH(this->FloatPositions
       ? static_cast<const void*>(this->FloatPositions + 3 * id)
       : this->DoublePositions + 3 * id);
@@ -412,7 +416,8 @@ void vtkPointProjectionCPU::FetchPoint(const Transform& t, const vtkPointProject
 {
   const unsigned int id = GetId(key);
   const float depth = GetDepth(key);
-  const float* n = this->Normals + 3 * static_cast<size_t>(id);
+  const float none[3] = { 0.0f, 0.0f, 0.0f };
+  const float* n = this->Normals ? this->Normals + 3 * static_cast<size_t>(id) : none;
   float normal[3];
   for (int k = 0; k < 3; ++k)
   {
@@ -449,7 +454,7 @@ void vtkPointProjectionCPU::FetchPoint(const Transform& t, const vtkPointProject
   }
 
   const float radius = t.RadiusScale *
-    (this->Radii ? this->Radii[id] : static_cast<float>(this->Points->GetLargestRadius()));
+    (this->Radii ? this->Radii[id] : static_cast<float>(this->Points->GetUniformRadius()));
   image.GetOccupied(y)[x / vtkSurfaceImage::BlockSize] = 1;
   float* pixel = image.GetRow(y, 0) + x;
   const size_t plane = image.GetPlaneStride();

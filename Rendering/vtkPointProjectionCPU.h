@@ -75,7 +75,7 @@ private:
   // The values of the arrays; of positions and of colours one of the two.
   const float* FloatPositions = nullptr;
   const double* DoublePositions = nullptr;
-  const float* Normals = nullptr;
+  const float* Normals = nullptr; // nullptr: all points face the viewer
   const float* Radii = nullptr;
   const unsigned char* ByteColors = nullptr;
   const float* FloatColors = nullptr;

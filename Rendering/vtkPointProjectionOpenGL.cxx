@@ -81,7 +81,7 @@ vtkIdType vtkPointProjectionOpenGL::Draw(vtkOpenGLRenderWindow* window, const Po
   {
     return 0;
   }
-  this->BindAttributes(program, points.Buffers);
+  this->BindAttributes(program, points);
   this->SetUniforms(program, points, view, options);
 
   state->vtkglPointSize(1.0f);
@@ -102,9 +102,9 @@ vtkIdType vtkPointProjectionOpenGL::Draw(vtkOpenGLRenderWindow* window, const Po
 }
 
 //------------------------------------------------------------------------------
-void vtkPointProjectionOpenGL::BindAttributes(
-  vtkShaderProgram* program, vtkOpenGLVertexBufferObjectGroup* buffers)
+void vtkPointProjectionOpenGL::BindAttributes(vtkShaderProgram* program, const Points& points)
 {
+  vtkOpenGLVertexBufferObjectGroup* buffers = points.Buffers;
   this->VertexArray->Bind();
   if (program == this->BoundProgram && buffers->GetMTime() < this->BindTime &&
     program->GetMTime() < this->BindTime)
@@ -114,6 +114,10 @@ void vtkPointProjectionOpenGL::BindAttributes(
   this->VertexArray->ReleaseGraphicsResources();
   this->VertexArray->Bind();
   buffers->AddAllAttributesToVAO(program, this->VertexArray);
+  if (!points.HaveNormals)
+  {
+    this->VertexArray->RemoveAttributeArray("normalMC"); // which then reads as zero
+  }
   this->BoundProgram = program;
   this->BindTime.Modified();
 }

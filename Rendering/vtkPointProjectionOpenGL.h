@@ -39,6 +39,7 @@ public:
     vtkOpenGLVertexBufferObjectGroup* Buffers = nullptr;
     vtkIdType NumberOfPoints = 0;
     double UniformRadius = 0.0; ///< 0: radiusMC has a radius for each point
+    bool HaveNormals = true;    ///< else normalMC is not read: all points face the viewer
   };
 
   /**
@@ -69,7 +70,7 @@ private:
   vtkPointProjectionOpenGL(const vtkPointProjectionOpenGL&) = delete;
   void operator=(const vtkPointProjectionOpenGL&) = delete;
 
-  void BindAttributes(vtkShaderProgram* program, vtkOpenGLVertexBufferObjectGroup* buffers);
+  void BindAttributes(vtkShaderProgram* program, const Points& points);
   void SetUniforms(vtkShaderProgram* program, const Points& points, const vtkPointSurfaceView& view,
     const vtkPointProjectionOptions& options);
 

@@ -238,7 +238,10 @@ void vtkPointSurfaceMapper::UpdateDrawablePoints()
   {
     return;
   }
-  for (const std::string& remark : this->Internals->Points.Build(input, source, this))
+  vtkDrawablePoints::Needs needs;
+  needs.Normals = this->NeedsNormals();
+  needs.Radii = this->NeedsRadii();
+  for (const std::string& remark : this->Internals->Points.Build(input, needs, source, this))
   {
     vtkWarningMacro(<< remark);
   }
@@ -298,7 +301,7 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkOpenGLVertexBufferObjectCache* cache = window->GetVBOCache();
   vtkPolyData* cloud = points.GetCloud();
-  vtkDataArray* normals = cloud->GetPointData()->GetNormals();
+  vtkSmartPointer<vtkDataArray> normals = this->GetNormals();
   vtkDataArray* colors = this->RequireTuples(this->GetPointColors(), "colours");
   vtkDataArray* coordinates = this->RequireTuples(this->ColorCoordinates, "scalars");
   // a pixel has room for one of them
@@ -372,6 +375,19 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
   }
   this->Internals->Projection.UploadIds(points.GetDrawnIds());
   this->VBOBuildTime.Modified();
+}
+
+vtkSmartPointer<vtkDataArray> vtkPointSurfaceMapper::GetNormals()
+{
+  if (this->NeedsNormals())
+  {
+    return this->Internals->Points.GetCloud()->GetPointData()->GetNormals();
+  }
+  // VTK's shaders take a normal from the surface buffer only where there is a buffer of normals
+  auto standIn = vtkSmartPointer<vtkFloatArray>::New();
+  standIn->SetNumberOfComponents(3);
+  standIn->InsertNextTuple3(0.0, 0.0, 1.0);
+  return standIn;
 }
 
 vtkDataArray* vtkPointSurfaceMapper::RequireTuples(vtkDataArray* array, const char* what)
@@ -535,7 +551,8 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(vtkRenderer* renderer, vtkAct
   view.Supersampling = this->GetPossibleSupersampling(std::max(viewport[2], viewport[3]));
   view.Size = { view.Supersampling * viewport[2], view.Supersampling * viewport[3] };
 
-  view.Cull = GetCulling(actor->GetProperty());
+  view.Cull = this->NeedsNormals() ? GetCulling(actor->GetProperty())
+                                   : static_cast<int>(vtkPointSurfaceView::NoCulling);
   view.NumberOfClippingPlanes = std::min(6, this->GetNumberOfClippingPlanes());
   vtkNew<vtkMatrix4x4> eyeToModel;
   vtkMatrix4x4::Invert(modelToEye, eyeToModel);
@@ -681,7 +698,8 @@ void vtkPointSurfaceMapper::ProjectPoints(vtkOpenGLRenderWindow* window,
   vtkPointProjectionOpenGL::Points points;
   points.Buffers = this->VBOs;
   points.NumberOfPoints = this->CurrentInput->GetNumberOfPoints();
-  points.UniformRadius = internals.Points.GetRadii() ? 0.0 : internals.Points.GetLargestRadius();
+  points.UniformRadius = internals.Points.GetRadii() ? 0.0 : internals.Points.GetUniformRadius();
+  points.HaveNormals = this->NeedsNormals();
   this->LastFramePointsDrawn = internals.Projection.Draw(window, points, view, options, projected);
   internals.Timers[Project].Stop();
   internals.Timers[Reconstruct].Start();

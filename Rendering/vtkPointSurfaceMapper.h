@@ -29,6 +29,7 @@
 
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPointSurfaceModule.h" // for export macro
+#include "vtkSmartPointer.h"       // for vtkSmartPointer
 
 #include <memory> // for std::unique_ptr
 #include <vector> // for std::vector
@@ -171,6 +172,17 @@ protected:
   vtkPointSurfaceMapper();
   ~vtkPointSurfaceMapper() override;
 
+  ///@{
+  /**
+   * Whether the subclass makes use of the points' normals and radii. What it does not need is
+   * neither estimated nor uploaded, and faults in it are not warned of. Points without normals face
+   * the viewer in ProjectPoints(), and are not culled; without radii the view's radii are 0, and
+   * projected points have the radius 1. Both true by default.
+   */
+  virtual bool NeedsNormals() const { return true; }
+  virtual bool NeedsRadii() const { return true; }
+  ///@}
+
   /**
    * Makes the surface buffer of `view` from the uploaded points: fills `surface`, whose layers are
    * allocated, within the view's rectangle. OpenGL's state is as a step needs it: no blending, no
@@ -261,6 +273,8 @@ private:
   vtkDataArray* GetPointColors();
   // The array if it has a tuple for each point; else nullptr, with a warning.
   vtkDataArray* RequireTuples(vtkDataArray* array, const char* what);
+  // Normals for the buffers; where there are none, one that stands in for them.
+  vtkSmartPointer<vtkDataArray> GetNormals();
   // By the components of its buffers VTK knows what its shaders have to do; where nothing but that
   // is needed of them, the first tuple is enough.
   void UploadStandIn(
