@@ -2,6 +2,7 @@
 #include "vtkPointSurfaceMapper.h"
 
 #include "vtkDrawablePoints.h"
+#include "vtkEyeFrame.h"
 #include "vtkPointProjectionCPU.h"
 #include "vtkPointProjectionOpenGL.h"
 #include "vtkPointProjectionOptions.h"
@@ -98,6 +99,7 @@ public:
   vtkTimeStamp ShadedLayersTime;
   int WarnedViewportSize = 0; // for which a lower supersampling has been told
   int ViewportOrigin[2] = { 0, 0 };
+  vtkNew<vtkMatrix4x4> ViewToEye;          // of the view that is drawn; see vtkEyeFrame
   vtkOpenGLRenderWindow* Window = nullptr; // of the last frame; cleared when it releases us
   vtkOpenGLRenderTimer Timers[NumberOfStages];
   double ClockMilliseconds[NumberOfStages] = { 0.0, 0.0, 0.0 }; // of stages without OpenGL
@@ -488,6 +490,19 @@ void vtkPointSurfaceMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
 //------------------------------------------------------------------------------
 namespace
 {
+vtkSmartPointer<vtkMatrix3x3> GetRotation(vtkMatrix4x4* motion)
+{
+  auto rotation = vtkSmartPointer<vtkMatrix3x3>::New();
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      rotation->SetElement(row, column, motion->GetElement(row, column));
+    }
+  }
+  return rotation;
+}
+
 int GetCulling(vtkProperty* property)
 {
   return property->GetBackfaceCulling() ? vtkPointSurfaceView::BackfaceCulling
@@ -531,6 +546,14 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(vtkRenderer* renderer, vtkAct
     vtkMatrix4x4::Multiply4x4(mcwc, wcvc, modelToEye);
     vtkMatrix3x3::Multiply3x3(actorNormals, normals, normal);
   }
+  vtkMatrix4x4* viewToEye = this->Internals->ViewToEye;
+  vtkEyeFrame::FromProjection(vcdc, viewToEye);
+  vtkEyeFrame::StepBack(vcdc, modelToEye, this->Internals->Points.GetBounds(), viewToEye);
+  vtkMatrix4x4::Multiply4x4(modelToEye, viewToEye, modelToEye);
+  vtkMatrix3x3::Multiply3x3(normal, GetRotation(viewToEye), normal);
+  vtkNew<vtkMatrix4x4> eyeToClip;
+  vtkMatrix4x4::Invert(viewToEye, eyeToClip);
+  vtkMatrix4x4::Multiply4x4(eyeToClip, vcdc, eyeToClip);
   vtkNew<vtkMatrix4x4> uploadedToEye;
   uploadedToEye->DeepCopy(modelToEye);
   vtkOpenGLVertexBufferObject* positions = this->VBOs->GetVBO("vertexMC");
@@ -540,7 +563,7 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(vtkRenderer* renderer, vtkAct
     vtkMatrix4x4::Multiply4x4(this->VBOShiftScale, modelToEye, uploadedToEye);
   }
   std::copy_n(uploadedToEye->GetData(), 16, view.MCVC.begin());
-  std::copy_n(vcdc->GetData(), 16, view.VCDC.begin());
+  std::copy_n(eyeToClip->GetData(), 16, view.VCDC.begin());
   std::copy_n(normal->GetData(), 9, view.Normal.begin());
 
   // the viewport in force, whoever set it: the renderer, a pass, a baker of shadows
@@ -737,6 +760,10 @@ void vtkPointSurfaceMapper::ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* 
   {
     vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
     state->vtkglDisable(GL_CULL_FACE); // points were culled in projection
+    if (renderer->GetUseImageBasedLighting() && renderer->GetEnvironmentTexture())
+    {
+      state->vtkglEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS); // as vtkOpenGLPolyDataMapper does
+    }
     helper.VAO->Bind();
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   }
@@ -781,6 +808,9 @@ void vtkPointSurfaceMapper::SetMapperShaderParameters(
   program->SetUniform2i("psOrigin", this->Internals->ViewportOrigin);
   program->SetUniformi("psHasCoverage", view.Supersampling > 1);
   const auto pixels = view.GetPixelRectangle();
+  const int end[2] = { pixels[0] + pixels[2], pixels[1] + pixels[3] };
+  program->SetUniform2i("psBegin", pixels.data());
+  program->SetUniform2i("psEnd", end);
   float rectangle[4];
   for (int k = 0; k < 2; ++k)
   {
@@ -792,6 +822,8 @@ void vtkPointSurfaceMapper::SetMapperShaderParameters(
   vtkNew<vtkMatrix4x4> matrix;
   matrix->DeepCopy(view.VCDC.data());
   program->SetUniformMatrix("psVCDC", matrix);
+  vtkMatrix4x4::Invert(this->Internals->ViewToEye, matrix);
+  program->SetUniformMatrix("psEyeToView", matrix);
   if (program->IsUniformUsed("clipPlanes"))
   {
     // those that VTK has set are of vertices as they were uploaded

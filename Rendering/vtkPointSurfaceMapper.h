@@ -15,7 +15,8 @@
  * radii are: the mapper's progress events tell of it, and AbortExecute stops it. vtkProperty's
  * BackfaceCulling drops points whose normal faces away (as the papers do, for closed surfaces with
  * outward normals); without it, VTK's default, all points are drawn, whichever way their normals
- * point, and the surface is lit from both sides.
+ * point, and the surface is lit from both sides. Flat interpolation is drawn smooth: a cloud has no
+ * facets.
  *
  * Input that cannot be drawn as it is gets a warning that names the array, the value and the
  * remedy, and a frame all the same: points with a coordinate that is not finite are left out;
@@ -146,13 +147,16 @@ public:
 
   /**
    * Copies the surface buffer that the last frame was shaded from into `buffer`: an image with a
-   * pixel for each pixel of the viewport, the origin at its lower left. Point arrays: "Normals"
-   * (float, 3 components, eye space, unit length, oriented as the points' normals, 0 where there is
-   * no surface), "Depth" (float, distance from the eye along the view direction in world units, 0
-   * where there is no surface), "Coverage" (float, share of the pixel's samples with a surface);
-   * "Colors" (float, 4 components, 0 to 1) if the cloud has colours; "PointIds" (int, -1 where
-   * there is no surface) if RecordPointIds is on. Returns false, with an error, when nothing has
-   * been rendered yet.
+   * pixel for each pixel of the viewport, the origin at its lower left. It is that of the last
+   * frame in which VTK drew this mapper: of an actor that is hidden or culled VTK tells no mapper.
+   * Eye space is the camera's view space, except for a camera whose eye is not at that space's
+   * origin (off-axis, stereo, among the points in parallel projection): then it is the eye's own,
+   * which looks across the screen. Point arrays: "Normals" (float, 3 components, eye space, unit
+   * length, oriented as the points' normals, 0 where there is no surface), "Depth" (float, distance
+   * from the eye along its z axis in world units, 0 where there is no surface), "Coverage" (float,
+   * share of the pixel's samples with a surface); "Colors" (float, 4 components, 0 to 1) if the
+   * cloud has colours; "PointIds" (int, -1 where there is no surface) if RecordPointIds is on.
+   * Returns false, with an error, when nothing has been rendered yet.
    */
   bool ReadSurfaceBuffer(vtkImageData* buffer);
 

@@ -6,6 +6,7 @@
  * VTK has no frame counter, and a light, an eye of a stereo pair or a tile each have a camera of
  * their own; so two frames have the same surface buffer if and only if their views are equal.
  * Matrices are VTK's with row vectors, as GLSL reads them (M[column][row] = Data[4 column + row]).
+ * Eye coordinates are those of vtkEyeFrame: the eye is at the origin and looks along -z.
  */
 #ifndef vtkPointSurfaceView_h
 #define vtkPointSurfaceView_h

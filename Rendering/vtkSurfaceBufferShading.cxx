@@ -39,7 +39,7 @@ std::string GetAssignments(const std::string& text)
     }
   };
   assign("vec4 vertexVCVSOutput", "psVertexVC");
-  assign("vec3 normalVCVSOutput", "psGeometry.xyz");
+  assign("vec3 normalVCVSOutput", "psNormalVC");
   assign("vec4 vertexColorVSOutput", "psColorOrTCoord");
   for (const char* name : { "tcoordVCVSOutput", "colorTCoordVCVSOutput" })
   {
@@ -50,7 +50,7 @@ std::string GetAssignments(const std::string& text)
   if (Contains(text, "float clipDistancesVSOutput[6];"))
   {
     assignments += "  for (int i = 0; i < numClipPlanes; ++i)\n"
-                   "  { clipDistancesVSOutput[i] = dot(clipPlanes[i], psVertexVC); }\n";
+                   "  { clipDistancesVSOutput[i] = dot(clipPlanes[i], psEye); }\n";
   }
   return assignments;
 }

@@ -10,19 +10,22 @@
 #ifdef HAS_COLOR
   psColorOrTCoord = texelFetch(psColor, psPixel, 0);
 #endif
-  // the position in view coordinates, from the pixel and its eye depth
+  // the position in eye coordinates, from the pixel and its eye depth
   vec2 psNDC = 2.0 * (gl_FragCoord.xy - vec2(psOrigin)) / vec2(textureSize(psSurface, 0)) - 1.0;
-  float psZ = -psGeometry.w;
-  float psW = psVCDC[2][3] * psZ + psVCDC[3][3];
-  psVertexVC = vec4((psNDC * psW - psVCDC[2].xy * psZ - psVCDC[3].xy) / vec2(psVCDC[0][0], psVCDC[1][1]), psZ, 1.0);
-  psFragCoordZ = psPoint < 0 ? 1.0 : 0.5 * (psVCDC[2][2] * psZ + psVCDC[3][2]) / psW + 0.5;
+  vec4 psEye = vec4(0.0, 0.0, -psGeometry.w, 1.0);
+  float psW = psVCDC[2][3] * psEye.z + psVCDC[3][3];
+  psEye.y = (psNDC.y * psW - psVCDC[2].y * psEye.z - psVCDC[3].y) / psVCDC[1].y;
+  psEye.x = (psNDC.x * psW - psVCDC[1].x * psEye.y - psVCDC[2].x * psEye.z - psVCDC[3].x) / psVCDC[0].x;
+  psVertexVC = psEyeToView * psEye;
+  psFragCoordZ = psPoint < 0 ? 1.0 : 0.5 * (psVCDC * psEye).z / psW + 0.5;
   psFragCoordW = 1.0 / psW;
-  // Just past an outline normals point a little away: those of the front, bent to the side. What
-  // points far away is the back.
-  vec3 psToViewer = psVCDC[2][3] == 0.0 ? vec3(0.0, 0.0, 1.0) : -normalize(psVertexVC.xyz);
+  vec3 psToViewer = psVCDC[2][3] == 0.0 ? vec3(0.0, 0.0, 1.0) : -normalize(psEye.xyz);
   float psFacing = dot(normalize(psGeometry.xyz), psToViewer);
-  psFrontFacing = psFacing > -0.3;
-  if (psFrontFacing && psFacing < 0.0)
+  psFrontFacing = psFacing >= 0.0;
+  if (psFacing < 0.0 && psFacing > -0.3 && psLeansOutward(psPixel, psGeometry))
   {
+    // just past an outline: the front, bent to the side
+    psFrontFacing = true;
     psGeometry.xyz -= psFacing * length(psGeometry.xyz) * psToViewer;
   }
+  vec3 psNormalVC = mat3(psEyeToView) * psGeometry.xyz;

@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of a mapper as a guest of VTK share: the mappers, a surface known by formula, scenes, and baselines.
+
+MAPPERS is the one list of mapper classes that have to pass; a new mapper is added here.
+"""
+
+import os
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+from vtkmodules.vtkTestingRendering import vtkTesting
+
+from pointsurface import rendering, vtkPullPushMapper
+
+MAPPERS = [vtkPullPushMapper]
+
+BASELINES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Data", "Baseline")
+OUTPUT = os.environ.get("POINTSURFACE_TEST_OUTPUT", ".")
+TUBE = 0.4  # radius of the torus' tube; that of its ring is 1
+
+
+def array(values, name=None, kind=np.float32):
+    result = numpy_to_vtk(np.ascontiguousarray(values, kind), deep=True)
+    if name:
+        result.SetName(name)
+    return result
+
+
+def polydata(points, normals):
+    data = vtkPolyData()
+    data.SetPoints(vtkPoints())
+    data.GetPoints().SetData(array(points, kind=np.asarray(points).dtype))
+    data.GetPointData().SetNormals(array(normals, "Normals"))
+    return data
+
+
+def torus(u, v):
+    """Positions and normals at the angles around the ring and around the tube."""
+    normals = np.stack([np.cos(u) * np.cos(v), np.sin(u) * np.cos(v), np.sin(v)], axis=-1)
+    ring = np.stack([np.cos(u), np.sin(u), np.zeros_like(u)], axis=-1)
+    return ring + TUBE * normals, normals
+
+
+def torus_cloud(count=20000):
+    """Even points of the torus with its normals, and radii of 1.5 times their spacing."""
+    i = np.arange(1, count + 1)
+    u = 2 * np.pi * np.mod(0.7548776662466927 * i, 1)
+    share = 2 * np.pi * np.mod(0.5698402909980532 * i, 1)
+    v = share.copy()
+    for _ in range(20):  # the area up to v is v + TUBE sin v
+        v -= (v + TUBE * np.sin(v) - share) / (1 + TUBE * np.cos(v))
+    cloud = polydata(*(x.astype(np.float32) for x in torus(u, v)))
+    radius = 1.5 * np.sqrt(4 * np.pi**2 * TUBE / count)
+    cloud.GetPointData().AddArray(array(np.full(count, radius), "radius"))
+    return cloud
+
+
+def torus_mesh(around_ring=400, around_tube=200):
+    u, v = np.meshgrid(
+        np.arange(around_ring) * 2 * np.pi / around_ring, np.arange(around_tube) * 2 * np.pi / around_tube, indexing="ij"
+    )
+    mesh = polydata(*(x.reshape(-1, 3).astype(np.float32) for x in torus(u, v)))
+    i, j = (x.ravel() for x in np.indices((around_ring, around_tube)))
+    i1, j1 = (i + 1) % around_ring, (j + 1) % around_tube
+    corners = np.stack([i, i1, i1, i]), np.stack([j, j, j1, j1])
+    quads = (corners[0] * around_tube + corners[1]).T
+    cells = vtkCellArray()
+    cells.SetData(4, numpy_to_vtk(np.ascontiguousarray(quads, np.int64).ravel(), deep=True))
+    mesh.SetPolys(cells)
+    return mesh
+
+
+class Scene:
+    """One surface in a renderer of its own window, looked at from the side."""
+
+    def __init__(self, mapper_class, data, size=(200, 200)):
+        self.mapper = mapper_class()
+        self.mapper.SetInputData(data)
+        self.actor = vtkActor()
+        self.actor.SetMapper(self.mapper)
+        self.renderer = vtkRenderer()
+        self.renderer.SetBackground(0.1, 0.2, 0.3)
+        self.renderer.AddActor(self.actor)
+        self.window = rendering.offscreen_window(self.renderer, size)
+        self.camera = self.renderer.GetActiveCamera()
+        self.camera.SetPosition(1.2, -3.0, 2.4)
+        self.camera.SetViewUp(0, 0, 1)
+        self.renderer.ResetCamera()
+        self.camera.Zoom(1.6)
+
+    def color(self):
+        """The picture: (height, width, 3), 0 to 1."""
+        return rendering.read_color(self.window)
+
+    def depth(self):
+        """The depth buffer of the last picture: (height, width), 1 where there is nothing or another renderer."""
+        width, height = self.window.GetSize()
+        values = vtkFloatArray()
+        self.window.GetZbufferData(0, 0, width - 1, height - 1, values)
+        depth = np.ones((height, width))
+        (left, bottom), (columns, rows) = self.renderer.GetOrigin(), self.renderer.GetSize()
+        own = slice(bottom, bottom + rows), slice(left, left + columns)
+        depth[own] = vtk_to_numpy(values).reshape(height, width)[own]
+        return depth
+
+
+def cloud_and_mesh(mapper_class, prepare=lambda scene: None, data=(torus_cloud, torus_mesh), **options):
+    """The scene of the cloud and that of the mesh of the same surface, each prepared alike."""
+    scenes = Scene(mapper_class, data[0](), **options), Scene(vtkPolyDataMapper, data[1](), **options)
+    for scene in scenes:
+        prepare(scene)
+    return scenes
+
+
+def covered_by_both(cloud, mesh):
+    """Pixels in which both scenes, as last drawn, show something."""
+    return (cloud.depth() < 1) & (mesh.depth() < 1)
+
+
+def difference(image, other, mask=None):
+    """Mean over the pixels of a mask of the largest difference of a channel, in grey levels of 255."""
+    largest = 255 * np.abs(image - other).max(axis=-1)
+    return float(largest.mean() if mask is None else largest[mask].mean())
+
+
+def grow(mask, pixels):
+    """A mask with all pixels that are up to so many steps away, diagonal ones included."""
+    for _ in range(pixels):
+        wide = np.pad(mask, 1)
+        mask = np.any([wide[i : i + mask.shape[0], j : j + mask.shape[1]] for i in range(3) for j in range(3)], axis=0)
+    return mask
+
+
+def assert_same_surface(cloud, mesh, mean_difference=3.0):
+    """The pictures of a cloud and a mesh show the same surface in the same place, lit alike."""
+    pictures = cloud.color(), mesh.color()
+    masks = cloud.depth() < 1, mesh.depth() < 1
+    inside = ~grow(~(masks[0] & masks[1]), 1)
+    measured = difference(*pictures, inside)
+    print(f"mean difference {measured:.3f} over {np.count_nonzero(inside)} pixels")
+    assert np.count_nonzero(inside) > 500
+    assert not np.any(masks[0] & ~grow(masks[1], 3)), "the cloud is where the mesh is not"
+    assert not np.any(masks[1] & ~grow(masks[0], 1)), "the cloud has holes"
+    assert measured < mean_difference
+
+
+def assert_baseline(window, name, threshold=10):
+    """The window shows what the picture Testing/Data/Baseline/`name`.png shows."""
+    testing = vtkTesting()
+    for argument in ("-T", OUTPUT, "-V", os.path.join(BASELINES, name + ".png")):
+        testing.AddArgument(argument)
+    testing.SetRenderWindow(window)
+    assert testing.RegressionTest(threshold) == vtkTesting.PASSED, f"{name} differs from its baseline"
