@@ -306,16 +306,30 @@ vtkIdType vtkPointProjectionCPU::Draw(
       });
   }
   const Transform transform = this->GetTransform(view);
-  this->FindVisiblePoints(transform);
+  this->FindVisiblePoints(transform, view.Ranges);
   this->FetchVisiblePoints(transform, options, image);
-  return this->Points->GetNumberOfDrawnPoints();
+  vtkIdType drawn = 0;
+  for (const auto& range : view.Ranges)
+  {
+    drawn += range[1] - range[0];
+  }
+  return drawn;
 }
 
-void vtkPointProjectionCPU::FindVisiblePoints(const Transform& transform)
+void vtkPointProjectionCPU::FindVisiblePoints(
+  const Transform& transform, const std::vector<std::array<vtkIdType, 2>>& ranges)
 {
+  std::vector<std::array<vtkIdType, 2>> blocks; // of at most BlockSize points of one range
+  for (const auto& range : ranges)
+  {
+    for (vtkIdType first = range[0]; first < range[1]; first += BlockSize)
+    {
+      blocks.push_back({ first, std::min<vtkIdType>(first + BlockSize, range[1]) });
+    }
+  }
+
   const std::vector<unsigned int>& listed = this->Points->GetDrawnIds();
   const unsigned int* ids = listed.empty() ? nullptr : listed.data();
-  const vtkIdType count = this->Points->GetNumberOfDrawnPoints();
   const bool culls = transform.Cull != vtkPointSurfaceView::NoCulling;
   auto draw = [&](vtkIdType begin, vtkIdType end)
   {
@@ -327,8 +341,8 @@ void vtkPointProjectionCPU::FindVisiblePoints(const Transform& transform)
     float depths[BlockSize];
     for (vtkIdType block = begin; block < end; ++block)
     {
-      const vtkIdType first = block * BlockSize;
-      const int size = static_cast<int>(std::min<vtkIdType>(BlockSize, count - first));
+      const vtkIdType first = blocks[block][0];
+      const int size = static_cast<int>(blocks[block][1] - first);
       this->FloatPositions
         ? Load(positions, first, size, this->FloatPositions, ids, this->Origin.data())
         : Load(positions, first, size, this->DoublePositions, ids, this->Origin.data());
@@ -357,7 +371,7 @@ void vtkPointProjectionCPU::FindVisiblePoints(const Transform& transform)
       }
     }
   };
-  vtkSMPTools::For(0, (count + BlockSize - 1) / BlockSize, 16, draw);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(blocks.size()), 16, draw);
 }
 
 //------------------------------------------------------------------------------

@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 class vtkDataArray;
 class vtkDrawablePoints;
@@ -46,9 +47,9 @@ public:
   vtkMTimeType GetColorsTime() const { return this->ColorsTime; }
 
   /**
-   * Draws the points into `image`, which is allocated for the view, with the layer Color if there
-   * are colours. `view` is one whose MCVC is of the points' own coordinates. Returns the number of
-   * points gone through.
+   * Draws the points of the view's ranges into `image`, which is allocated for the view, with the
+   * layer Color if there are colours. `view` is one whose MCVC is of the points' own coordinates.
+   * Returns the number of points gone through.
    */
   vtkIdType Draw(const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
     vtkSurfaceImage& image);
@@ -60,7 +61,8 @@ private:
   void operator=(const vtkPointProjectionCPU&) = delete;
 
   Transform GetTransform(const vtkPointSurfaceView& view) const;
-  void FindVisiblePoints(const Transform& transform);
+  void FindVisiblePoints(
+    const Transform& transform, const std::vector<std::array<vtkIdType, 2>>& ranges);
   void FetchVisiblePoints(
     const Transform& transform, const vtkPointProjectionOptions& options, vtkSurfaceImage& image);
   void FetchPoint(const Transform& transform, const vtkPointProjectionOptions& options,

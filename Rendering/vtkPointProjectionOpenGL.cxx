@@ -85,20 +85,34 @@ vtkIdType vtkPointProjectionOpenGL::Draw(vtkOpenGLRenderWindow* window, const Po
   this->SetUniforms(program, points, view, options);
 
   state->vtkglPointSize(1.0f);
-  const auto listed = static_cast<vtkIdType>(this->Ids->IndexCount);
-  if (listed > 0)
-  {
-    this->Ids->Bind();
-    glDrawElements(GL_POINTS, static_cast<GLsizei>(listed), GL_UNSIGNED_INT, nullptr);
-    this->Ids->Release();
-  }
-  else
-  {
-    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(points.NumberOfPoints));
-  }
+  const vtkIdType drawn = this->DrawRanges(view);
   this->VertexArray->Release();
   state->vtkglDisable(GL_DEPTH_TEST);
-  return listed > 0 ? listed : points.NumberOfPoints;
+  return drawn;
+}
+
+vtkIdType vtkPointProjectionOpenGL::DrawRanges(const vtkPointSurfaceView& view)
+{
+  const bool listed = this->Ids->IndexCount > 0;
+  vtkIdType drawn = 0;
+  if (listed)
+  {
+    this->Ids->Bind();
+  }
+  for (const auto& range : view.Ranges)
+  {
+    const auto count = static_cast<GLsizei>(range[1] - range[0]);
+    const size_t offset = static_cast<size_t>(range[0]) * sizeof(GLuint);
+    listed
+      ? glDrawElements(GL_POINTS, count, GL_UNSIGNED_INT, reinterpret_cast<const GLvoid*>(offset))
+      : glDrawArrays(GL_POINTS, static_cast<GLint>(range[0]), count);
+    drawn += count;
+  }
+  if (listed)
+  {
+    this->Ids->Release();
+  }
+  return drawn;
 }
 
 //------------------------------------------------------------------------------

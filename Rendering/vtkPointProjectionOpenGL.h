@@ -37,7 +37,6 @@ public:
   struct Points
   {
     vtkOpenGLVertexBufferObjectGroup* Buffers = nullptr;
-    vtkIdType NumberOfPoints = 0;
     double UniformRadius = 0.0; ///< 0: radiusMC has a radius for each point
     bool HaveNormals = true;    ///< else normalMC is not read: all points face the viewer
   };
@@ -57,8 +56,8 @@ public:
   void UploadIds(const std::vector<unsigned int>& ids);
 
   /**
-   * Draws the points into `target`, which has the layers Shape and Interval at least, and a depth
-   * buffer. Returns the number of points sent.
+   * Draws the points of the view's ranges into `target`, which has the layers Shape and Interval at
+   * least, and a depth buffer. Returns the number of points sent.
    */
   vtkIdType Draw(vtkOpenGLRenderWindow* window, const Points& points,
     const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
@@ -70,6 +69,7 @@ private:
   vtkPointProjectionOpenGL(const vtkPointProjectionOpenGL&) = delete;
   void operator=(const vtkPointProjectionOpenGL&) = delete;
 
+  vtkIdType DrawRanges(const vtkPointSurfaceView& view);
   void BindAttributes(vtkShaderProgram* program, const Points& points);
   void SetUniforms(vtkShaderProgram* program, const Points& points, const vtkPointSurfaceView& view,
     const vtkPointProjectionOptions& options);

@@ -3,6 +3,7 @@
 
 #include "vtkDrawablePoints.h"
 #include "vtkEyeFrame.h"
+#include "vtkPointBlocks.h"
 #include "vtkPointProjectionCPU.h"
 #include "vtkPointProjectionOpenGL.h"
 #include "vtkPointProjectionOptions.h"
@@ -17,8 +18,9 @@
 
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
-#include "vtkIdList.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
@@ -83,8 +85,6 @@ public:
   vtkPolyData* PointsInput = nullptr; // only compared, never followed
   vtkDrawablePoints::RadiusSource PointsRadiusSource;
   vtkTimeStamp PointsTime;
-
-  vtkSmartPointer<vtkUnsignedCharArray> PointColors; // made from colours of cells
 
   vtkPointProjectionOpenGL Projection;
   vtkPointProjectionCPU ProjectionCPU;
@@ -188,6 +188,16 @@ void vtkPointSurfaceMapper::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
+void vtkPointSurfaceMapper::AddArrayNames(std::vector<std::string>& names)
+{
+  this->Superclass::AddArrayNames(names);
+  if (this->NeedsRadii())
+  {
+    names.emplace_back("radius");
+    names.emplace_back(this->RadiusArray ? this->RadiusArray : "radius");
+  }
+}
+
 void vtkPointSurfaceMapper::UpdateCameraShiftScale(vtkRenderer* renderer, vtkActor* actor)
 {
   // The first virtual function after the window is registered. When a mapper moves from one window
@@ -232,13 +242,17 @@ void vtkPointSurfaceMapper::ChooseBackend()
 
 void vtkPointSurfaceMapper::UpdateDrawablePoints()
 {
-  vtkPolyData* input = this->GetInput();
+  vtkPolyData* input = this->GetBlocks().GetCloud();
   vtkDrawablePoints::RadiusSource source;
   source.Array = this->RadiusArray ? this->RadiusArray : "";
   source.Radius = this->Radius;
   if (this->Internals->IsUpToDate(input, source))
   {
     return;
+  }
+  for (const std::string& remark : this->GetBlocks().GetRemarks())
+  {
+    vtkWarningMacro(<< remark);
   }
   vtkDrawablePoints::Needs needs;
   needs.Normals = this->NeedsNormals();
@@ -255,23 +269,11 @@ void vtkPointSurfaceMapper::UpdateDrawablePoints()
 
 void vtkPointSurfaceMapper::ComputeBounds()
 {
-  vtkMath::UninitializeBounds(this->Bounds);
-  if (!this->GetInput())
-  {
-    return;
-  }
-  // of all points, in cells or not; one component at a time, what is not finite left out
-  vtkPoints* points = this->GetInput()->GetPoints();
-  for (int k = 0; k < 3 && points && points->GetNumberOfPoints() > 0; ++k)
-  {
-    double range[2];
-    points->GetData()->GetFiniteRange(range, k);
-    if (range[0] <= range[1])
-    {
-      std::copy_n(range, 2, this->Bounds + 2 * k);
-    }
-  }
-  if (!vtkMath::AreBoundsInitialized(this->Bounds))
+  this->Superclass::ComputeBounds();
+  const auto& blocks = this->GetBlocks().GetBlocks();
+  const bool hidden = !blocks.empty() &&
+    std::none_of(blocks.begin(), blocks.end(), [](const auto& block) { return block.Visible; });
+  if (this->GetInputDataObject(0, 0) && !vtkMath::AreBoundsInitialized(this->Bounds) && !hidden)
   {
     this->UpdateDrawablePoints(); // VTK will not render this; say why
   }
@@ -281,7 +283,8 @@ void vtkPointSurfaceMapper::ComputeBounds()
 void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
 {
   // As vtkOpenGLPolyDataMapper does it, less all that is about cells, plus radii.
-  this->MapScalars(1.0);
+  const vtkDrawablePoints& points = this->Internals->Points;
+  vtkDataArray* colors = this->GetPointColors(actor);
   if (this->ColorTextureMap)
   {
     if (!this->InternalColorTexture)
@@ -294,7 +297,6 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
   this->HaveCellScalars = false;
   this->HaveCellNormals = false;
 
-  const vtkDrawablePoints& points = this->Internals->Points;
   if (points.GetNumberOfDrawnPoints() == 0)
   {
     this->VBOBuildTime.Modified();
@@ -304,8 +306,8 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
   vtkOpenGLVertexBufferObjectCache* cache = window->GetVBOCache();
   vtkPolyData* cloud = points.GetCloud();
   vtkSmartPointer<vtkDataArray> normals = this->GetNormals();
-  vtkDataArray* colors = this->RequireTuples(this->GetPointColors(), "colours");
-  vtkDataArray* coordinates = this->RequireTuples(this->ColorCoordinates, "scalars");
+  colors = this->RequireTuples(colors, "colours");
+  vtkDataArray* coordinates = this->RequireTuples(this->GetPointColorCoordinates(), "scalars");
   // a pixel has room for one of them
   vtkDataArray* tcoords = colors || coordinates
     ? nullptr
@@ -418,36 +420,6 @@ void vtkPointSurfaceMapper::UploadStandIn(
   this->VBOs->CacheDataArray(attribute, first, cache, VTK_FLOAT);
 }
 
-vtkDataArray* vtkPointSurfaceMapper::GetPointColors()
-{
-  vtkUnsignedCharArray* colors = this->Colors;
-  int ofCells = 0;
-  vtkPolyData* input = this->GetInput();
-  vtkAbstractMapper::GetAbstractScalars(
-    input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, ofCells);
-  if (!colors || !ofCells)
-  {
-    return colors;
-  }
-  // A point has the colour of the last cell that uses it.
-  vtkNew<vtkUnsignedCharArray> ofPoints;
-  ofPoints->SetNumberOfComponents(colors->GetNumberOfComponents());
-  ofPoints->SetNumberOfTuples(input->GetNumberOfPoints());
-  ofPoints->Fill(255);
-  const vtkIdType count = std::min(input->GetNumberOfCells(), colors->GetNumberOfTuples());
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < count; ++cell)
-  {
-    input->GetCellPoints(cell, ids);
-    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-    {
-      ofPoints->SetTuple(ids->GetId(i), cell, colors);
-    }
-  }
-  this->Internals->PointColors = ofPoints;
-  return ofPoints;
-}
-
 void vtkPointSurfaceMapper::UpdateMaximumPointCellIds(vtkRenderer* renderer, vtkActor*)
 {
   const vtkIdType last = this->CurrentInput->GetNumberOfPoints() - 1;
@@ -472,13 +444,30 @@ void vtkPointSurfaceMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
   }
   std::fill_n(this->Internals->ClockMilliseconds, static_cast<int>(NumberOfStages), 0.0);
 
-  const vtkPointSurfaceView view = this->GetView(renderer, actor);
+  this->Internals->Current = nullptr;
+  const std::vector<vtkPointBlockGroup> groups = this->GetBlockGroups(renderer, actor);
+  if (groups.size() > 1)
+  {
+    // the first ones are opaque, though VTK draws the actor as translucent: they hide the others
+    vtkOpenGLState::ScopedglDepthMask depthMask(window->GetState());
+    vtkInformation* keys = actor->GetPropertyKeys();
+    if (!keys || !keys->Has(vtkOpenGLActor::GLDepthMaskOverride())) // which depth peeling sets
+    {
+      window->GetState()->vtkglDepthMask(GL_TRUE);
+    }
+    this->DrawBlocks(renderer, actor, groups.front());
+  }
+  this->DrawBlocks(renderer, actor, groups.back());
+}
+
+void vtkPointSurfaceMapper::DrawBlocks(
+  vtkRenderer* renderer, vtkActor* actor, const vtkPointBlockGroup& blocks)
+{
+  const vtkPointSurfaceView view = this->GetView(renderer, actor, blocks);
   const auto rectangle = view.GetPixelRectangle();
   std::copy(rectangle.begin(), rectangle.end(), this->LastFrameRectangle);
-  if (this->Internals->Points.GetNumberOfDrawnPoints() == 0 || view.Rectangle[2] <= 0 ||
-    view.Rectangle[3] <= 0)
+  if (view.Ranges.empty() || view.Rectangle[2] <= 0 || view.Rectangle[3] <= 0)
   {
-    this->Internals->Current = nullptr;
     return;
   }
   this->FindOrMakeSurfaceBuffer(renderer, view);
@@ -501,6 +490,22 @@ vtkSmartPointer<vtkMatrix3x3> GetRotation(vtkMatrix4x4* motion)
     }
   }
   return rotation;
+}
+
+/// Bounds of blocks, as far as they lie within those of what is drawn at all.
+std::array<double, 6> GetBoundsOf(const vtkPointBlockGroup& blocks, const double* limits)
+{
+  std::array<double, 6> bounds;
+  vtkMath::UninitializeBounds(bounds.data());
+  for (const vtkPointBlock* block : blocks)
+  {
+    vtkPointBlocks::AddBounds(*block, bounds.data());
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    bounds[i] = i % 2 == 0 ? std::max(bounds[i], limits[i]) : std::min(bounds[i], limits[i]);
+  }
+  return bounds;
 }
 
 int GetCulling(vtkProperty* property)
@@ -527,7 +532,8 @@ int vtkPointSurfaceMapper::GetPossibleSupersampling(int viewportSize)
   return possible;
 }
 
-vtkPointSurfaceView vtkPointSurfaceMapper::GetView(vtkRenderer* renderer, vtkActor* actor)
+vtkPointSurfaceView vtkPointSurfaceMapper::GetView(
+  vtkRenderer* renderer, vtkActor* actor, const vtkPointBlockGroup& blocks)
 {
   vtkPointSurfaceView view;
   auto* camera = static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera());
@@ -610,10 +616,18 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(vtkRenderer* renderer, vtkAct
   }
   view.MapperTime = this->GetMTime();
 
+  const vtkDrawablePoints& points = this->Internals->Points;
   view.RadiusScale = this->RadiusScale * vtkPointSurfaceView::GetLargestStretch(modelToEye);
-  view.LargestRadius = view.RadiusScale * this->Internals->Points.GetLargestRadius();
-  view.MeanRadius = view.RadiusScale * this->Internals->Points.GetMeanRadius();
-  view.SetExtent(modelToEye, this->Internals->Points.GetBounds());
+  view.LargestRadius = view.RadiusScale * points.GetLargestRadius();
+  view.MeanRadius = view.RadiusScale * points.GetMeanRadius();
+  if (points.GetNumberOfDrawnPoints() > 0)
+  {
+    view.Ranges = vtkPointBlocks::GetRanges(blocks, points.GetDrawnIds());
+  }
+  if (!view.Ranges.empty())
+  {
+    view.SetExtent(modelToEye, GetBoundsOf(blocks, points.GetBounds()).data());
+  }
   return view;
 }
 
@@ -653,7 +667,7 @@ void vtkPointSurfaceMapper::FindOrMakeSurfaceBuffer(
   const bool resolve = view.Supersampling > 1;
   surface->View = view;
   surface->Valid = true;
-  this->LastFrameReconstructions = 1;
+  ++this->LastFrameReconstructions;
   if (this->LastFrameBackend == CPU)
   {
     const bool colored = surface->Target.Has(vtkSurfaceTarget::Color);
@@ -720,10 +734,9 @@ void vtkPointSurfaceMapper::ProjectPoints(vtkOpenGLRenderWindow* window,
 
   vtkPointProjectionOpenGL::Points points;
   points.Buffers = this->VBOs;
-  points.NumberOfPoints = this->CurrentInput->GetNumberOfPoints();
   points.UniformRadius = internals.Points.GetRadii() ? 0.0 : internals.Points.GetUniformRadius();
   points.HaveNormals = this->NeedsNormals();
-  this->LastFramePointsDrawn = internals.Projection.Draw(window, points, view, options, projected);
+  this->LastFramePointsDrawn += internals.Projection.Draw(window, points, view, options, projected);
   internals.Timers[Project].Stop();
   internals.Timers[Reconstruct].Start();
 }
@@ -736,7 +749,7 @@ void vtkPointSurfaceMapper::ProjectPoints(const vtkPointSurfaceView& view,
   const auto& r = view.Rectangle;
   projected.Allocate(
     view.Size[0], view.Size[1], { r[0], r[1], r[0] + r[2], r[1] + r[3] }, ids, colors);
-  this->LastFramePointsDrawn = internals.ProjectionCPU.Draw(view, options, projected);
+  this->LastFramePointsDrawn += internals.ProjectionCPU.Draw(view, options, projected);
   internals.ClockMilliseconds[Project] = 1e3 * (vtkTimerLog::GetUniversalTime() - start);
 }
 

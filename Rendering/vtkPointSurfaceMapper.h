@@ -9,7 +9,7 @@
  * how the surface buffer is made from the points.
  *
  * A mapper takes the place of vtkPolyDataMapper: lights, materials, lookup tables, depth against
- * other props come from VTK. The input is a vtkPolyData; its points are drawn, whether they are
+ * other props come from VTK. The input is any vtkPointSet; its points are drawn, whether they are
  * in cells or not. Normals come from the point data, else they are estimated once
  * (vtkPointNormals), as
  * radii are: the mapper's progress events tell of it, and AbortExecute stops it. vtkProperty's
@@ -23,12 +23,18 @@
  * normals that are zero or not finite are taken as facing the viewer; radii that are not positive
  * and finite become the mean of the others; radii larger than the cloud become its diagonal.
  *
+ * The input may also be a tree of point sets (vtkMultiBlockDataSet, vtkPartitionedDataSet,
+ * vtkPartitionedDataSetCollection), with what vtkCompositePolyDataMapper2 offers for its blocks:
+ * visibility, pickability, colour and opacity of each. All opaque blocks are reconstructed as one
+ * cloud, so that they close each other's gaps, and so are all translucent ones. Points that a ghost
+ * array hides are not drawn.
+ *
  * @sa vtkPullPushMapper vtkPointSpacing vtkPointNormals vtkIsosurfacePoints
  */
 #ifndef vtkPointSurfaceMapper_h
 #define vtkPointSurfaceMapper_h
 
-#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkCompositePointMapper.h"
 #include "vtkPointSurfaceModule.h" // for export macro
 #include "vtkSmartPointer.h"       // for vtkSmartPointer
 
@@ -44,10 +50,10 @@ struct vtkPointProjectionOptions;
 struct vtkPointSurfaceView;
 struct vtkSurfacePixels;
 
-class VTKPOINTSURFACE_EXPORT vtkPointSurfaceMapper : public vtkOpenGLPolyDataMapper
+class VTKPOINTSURFACE_EXPORT vtkPointSurfaceMapper : public vtkCompositePointMapper
 {
 public:
-  vtkTypeMacro(vtkPointSurfaceMapper, vtkOpenGLPolyDataMapper);
+  vtkTypeMacro(vtkPointSurfaceMapper, vtkCompositePointMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -234,6 +240,7 @@ protected:
   ///@}
 
   // What VTK calls while it renders; see vtkOpenGLPolyDataMapper.
+  void AddArrayNames(std::vector<std::string>& names) override;
   void ComputeBounds() override;
   void UpdateCameraShiftScale(vtkRenderer* renderer, vtkActor* actor) override;
   void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
@@ -274,7 +281,6 @@ private:
 
   void ChooseBackend();
   void UpdateDrawablePoints();
-  vtkDataArray* GetPointColors();
   // The array if it has a tuple for each point; else nullptr, with a warning.
   vtkDataArray* RequireTuples(vtkDataArray* array, const char* what);
   // Normals for the buffers; where there are none, one that stands in for them.
@@ -284,7 +290,9 @@ private:
   void UploadStandIn(
     const char* attribute, vtkDataArray* array, vtkOpenGLVertexBufferObjectCache* cache);
   int GetPossibleSupersampling(int viewportSize);
-  vtkPointSurfaceView GetView(vtkRenderer* renderer, vtkActor* actor);
+  void DrawBlocks(vtkRenderer* renderer, vtkActor* actor, const vtkPointBlockGroup& blocks);
+  vtkPointSurfaceView GetView(
+    vtkRenderer* renderer, vtkActor* actor, const vtkPointBlockGroup& blocks);
   void FindOrMakeSurfaceBuffer(vtkRenderer* renderer, const vtkPointSurfaceView& view);
   void ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* actor);
 

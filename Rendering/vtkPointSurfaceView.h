@@ -14,6 +14,7 @@
 #include "vtkType.h"
 
 #include <array>
+#include <vector>
 
 class vtkMatrix4x4;
 
@@ -35,6 +36,8 @@ struct vtkPointSurfaceView
   std::array<std::array<double, 4>, 6> ClippingPlanes{}; ///< in eye coordinates
   int NumberOfClippingPlanes = 0;
   int Cull = NoCulling;
+  /// What is drawn of the points' list: from a position to the one past the last.
+  std::vector<std::array<vtkIdType, 2>> Ranges;
   double RadiusScale = 1.0; ///< from the radii's units to eye units
   vtkMTimeType DataTime = 0;
   vtkMTimeType MapperTime = 0;
@@ -74,8 +77,8 @@ struct vtkPointSurfaceView
       this->Size == other.Size && this->Supersampling == other.Supersampling &&
       this->ClippingPlanes == other.ClippingPlanes &&
       this->NumberOfClippingPlanes == other.NumberOfClippingPlanes && this->Cull == other.Cull &&
-      this->RadiusScale == other.RadiusScale && this->DataTime == other.DataTime &&
-      this->MapperTime == other.MapperTime;
+      this->Ranges == other.Ranges && this->RadiusScale == other.RadiusScale &&
+      this->DataTime == other.DataTime && this->MapperTime == other.MapperTime;
   }
 };
 
