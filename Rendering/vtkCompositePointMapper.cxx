@@ -199,11 +199,29 @@ vtkUnsignedCharArray* vtkCompositePointMapper::MapPointColors(vtkDataSet* input)
   {
     return colors;
   }
-  // A point has the colour of the last cell that uses it.
   vtkNew<vtkUnsignedCharArray> ofPoints;
   ofPoints->SetNumberOfComponents(colors->GetNumberOfComponents());
   ofPoints->SetNumberOfTuples(input->GetNumberOfPoints());
   ofPoints->Fill(255);
+  this->Internals->PointColors = ofPoints;
+  const vtkIdType tuple = this->FieldDataTupleId;
+  if (this->ScalarMode == VTK_SCALAR_MODE_USE_FIELD_DATA && tuple >= 0)
+  {
+    // one colour for all, as VTK does it
+    if (tuple >= colors->GetNumberOfTuples())
+    {
+      vtkWarningMacro("FieldDataTupleId is " << tuple << ", but the array of field data has only "
+                                             << colors->GetNumberOfTuples()
+                                             << " tuples; it is not used.");
+      return nullptr;
+    }
+    for (vtkIdType id = 0; id < input->GetNumberOfPoints(); ++id)
+    {
+      ofPoints->SetTuple(id, tuple, colors);
+    }
+    return ofPoints;
+  }
+  // A point has the colour of the last cell that uses it.
   const vtkIdType count = std::min(input->GetNumberOfCells(), colors->GetNumberOfTuples());
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < count; ++cell)
@@ -214,7 +232,6 @@ vtkUnsignedCharArray* vtkCompositePointMapper::MapPointColors(vtkDataSet* input)
       ofPoints->SetTuple(ids->GetId(i), cell, colors);
     }
   }
-  this->Internals->PointColors = ofPoints;
   return ofPoints;
 }
 

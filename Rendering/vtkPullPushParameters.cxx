@@ -3,6 +3,8 @@
 
 #include "vtkPointSurfaceView.h"
 
+#include "vtkMath.h"
+
 #include <algorithm>
 
 namespace
@@ -29,7 +31,17 @@ vtkPullPushParameters::vtkPullPushParameters(
   , Levels(MakeLevels(view))
   , DepthStep(static_cast<float>(view.MeanRadius))
   , TwoSided(view.Cull == vtkPointSurfaceView::NoCulling)
+  , NumberOfClippingPlanes(view.NumberOfClippingPlanes)
 {
+  for (int i = 0; i < this->NumberOfClippingPlanes; ++i)
+  {
+    const auto& plane = view.ClippingPlanes[i];
+    const double size = vtkMath::Norm(plane.data());
+    for (int k = 0; k < 4; ++k)
+    {
+      this->ClippingPlanes[i][k] = static_cast<float>(plane[k] / size);
+    }
+  }
   const auto& m = view.VCDC;
   for (int k = 0; k < 2; ++k)
   {

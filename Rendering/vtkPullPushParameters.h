@@ -34,6 +34,9 @@ struct vtkPullPushParameters
   float UnionShare = 0.0f;           ///< 0: mean of the radii (the paper); 1: the discs' union
   float DepthStep = 0.0f;            ///< in eye units: what is farther back than this is behind
   bool TwoSided = false;             ///< normals may point to either side
+  /// Planes of clipping in eye coordinates, with normals of unit length.
+  std::array<std::array<float, 4>, 6> ClippingPlanes{};
+  int NumberOfClippingPlanes = 0;
 };
 
 #endif

@@ -95,6 +95,9 @@ struct Uniforms
   float DistanceWeight; // 1: weights fall with the distance
   float ConstantWeight; // 1: weights are those of the paper
   float FrontEndMargin; // added to the end of the frontmost interval
+  float PixelReach;     // from a fine pixel's centre to its corner, in eye units where w is 1
+  int NumberOfClippingPlanes;
+  float ClippingPlanes[6][4];
 
   Uniforms(const vtkPullPushParameters& p, int fineLevel)
     : UnionShare(p.UnionShare)
@@ -104,7 +107,13 @@ struct Uniforms
     , DistanceWeight(p.Options.DistanceWeights ? 1.0f : 0.0f)
     , ConstantWeight(p.Options.DistanceWeights ? 0.0f : 1.0f)
     , FrontEndMargin(p.Options.DepthTestInPush ? 0.0f : Infinite)
+    , PixelReach(0.71f * (this->FineSize - 1.0f) * std::hypot(p.PixelToEye[0], p.PixelToEye[1]))
+    , NumberOfClippingPlanes(p.NumberOfClippingPlanes)
   {
+    for (int i = 0; i < 6; ++i)
+    {
+      std::copy_n(p.ClippingPlanes[i].data(), 4, this->ClippingPlanes[i]);
+    }
     std::copy(p.PixelToEye.begin(), p.PixelToEye.end(), this->PixelToEye);
     std::copy(p.EyeRay.begin(), p.EyeRay.end(), this->EyeRay);
     std::copy(p.EyeRayStep.begin(), p.EyeRayStep.end(), this->EyeRayStep);
@@ -327,6 +336,24 @@ VTK_POINT_SURFACE_INLINE bool FacesAway(const Pixel& p, const float (&ray)[2])
   return p.NormalX * ray[0] + p.NormalY * ray[1] - p.NormalZ > 0.0f;
 }
 
+/// 1 where a part of the fine pixel, at a depth, is on the kept side of all planes, else 0: there a
+/// disc hides nothing.
+VTK_POINT_SURFACE_INLINE float IsKept(
+  const Uniforms& u, const float (&ray)[2], const float (&origin)[2], float depth)
+{
+  const float x = origin[0] + depth * ray[0];
+  const float y = origin[1] + depth * ray[1];
+  const float reach = u.PixelReach * (u.PixelToEye[2] * depth + u.PixelToEye[3]);
+  float kept = 1.0f;
+  for (int i = 0; i < u.NumberOfClippingPlanes; ++i)
+  {
+    const float(&plane)[4] = u.ClippingPlanes[i];
+    const float distance = plane[0] * x + plane[1] * y - plane[2] * depth + plane[3];
+    kept = distance < -reach ? 0.0f : kept;
+  }
+  return kept;
+}
+
 /// What becomes of the pixels of a row of the finer level.
 struct Pushed
 {
@@ -337,12 +364,13 @@ struct Pushed
 };
 
 /// `x` and `y` are of the first pixel.
-template <bool CenterDepths>
+template <bool CenterDepths, bool Clips>
 VTK_POINT_SURFACE_INLINE void PushPixels(const Pixels<PairSize>& fine,
   const Pixels<PairSize> (&coarse)[4], const Uniforms& uniforms, int x, int y, Pushed& pushed)
 {
   const Uniforms u = uniforms;
   const float rayY = u.EyeRay[1] + (static_cast<float>(y) + 0.5f) * u.FineSize * u.EyeRayStep[1];
+  const float originY = u.EyeRay[3] + (static_cast<float>(y) + 0.5f) * u.FineSize * u.EyeRayStep[3];
   // from the fine pixel's centre to those of its parent and of the parent's neighbour
   const float sideY = y & 1 ? -u.FineSize : u.FineSize;
   const float firstX = static_cast<float>(x);
@@ -357,6 +385,8 @@ VTK_POINT_SURFACE_INLINE void PushPixels(const Pixels<PairSize>& fine,
   for (int i = 0; i < PairSize; ++i)
   {
     const float ray[2] = { u.EyeRay[0] + (column[i] + 0.5f) * u.FineSize * u.EyeRayStep[0], rayY };
+    const float origin[2] = { u.EyeRay[2] + (column[i] + 0.5f) * u.FineSize * u.EyeRayStep[2],
+      originY };
     const Pixel own = fine.Get(i);
     const float ownNearest = GetDepthRange<CenterDepths>(own).Nearest;
     const Range parent = GetDepthRange<CenterDepths>(coarse[0].Get(i));
@@ -377,9 +407,11 @@ VTK_POINT_SURFACE_INLINE void PushPixels(const Pixels<PairSize>& fine,
       range[k] = GetDepthRange<CenterDepths>(p[k]);
       p[k].CenterX += sideX[i] * (k & 1 ? -1.5f : 0.5f);
       p[k].CenterY += sideY * (k >> 1 ? -1.5f : 0.5f);
-      const float distance = GetHit<CenterDepths>(p[k], u, ray).Distance;
+      const Hit hit = GetHit<CenterDepths>(p[k], u, ray);
+      const float distance = hit.Distance;
       const float limit = (isBack & !FacesAway(p[k], ray)) ? u.BackLimit : 1.0f;
-      const bool covers = (p[k].Radius > 0.0f) & (distance <= limit);
+      const float kept = Clips ? IsKept(u, ray, origin, hit.Depth) : 1.0f;
+      const bool covers = (kept * p[k].Radius > 0.0f) & (distance <= limit);
       const float remains = Largest(1.0f - distance, 0.0f);
       // biquadratic B-spline subdivision: 9, 3, 3, 1 of 16
       const float constant = (k & 1 ? 0.25f : 0.75f) * (k >> 1 ? 0.25f : 0.75f);
@@ -525,7 +557,9 @@ VTK_POINT_SURFACE_INLINE bool PushRows(
   {
     GatherParents(coarse[1].Plane(k), parents[2].Planes[k], parents[3].Planes[k]);
   }
-  PushPixels<CenterDepths>(own, parents, uniforms, x, y, pushed);
+  uniforms.NumberOfClippingPlanes > 0
+    ? PushPixels<CenterDepths, true>(own, parents, uniforms, x, y, pushed)
+    : PushPixels<CenterDepths, false>(own, parents, uniforms, x, y, pushed);
   return true;
 }
 

@@ -134,6 +134,13 @@ void vtkPullPushReconstructionOpenGL::Push(vtkOpenGLRenderWindow* window,
   SetRays(program, parameters);
   program->SetUniformi("distanceWeights", parameters.Options.DistanceWeights);
   program->SetUniformi("depthTest", parameters.Options.DepthTestInPush);
+  program->SetUniformi("numberOfClippingPlanes", parameters.NumberOfClippingPlanes);
+  float planes[6][4];
+  for (int i = 0; i < 6; ++i)
+  {
+    std::copy_n(parameters.ClippingPlanes[i].data(), 4, planes[i]);
+  }
+  program->SetUniform4fv("clippingPlanes", 6, planes);
   result.BindForWriting(window);
   this->DrawLevel(window, parameters, pass, level);
   coarse.Deactivate();

@@ -6,6 +6,8 @@ uniform float fineSize;    // pixels of level 0 along a side of a fine pixel
 uniform vec4 eyeRay;       // xy: the ray's direction through the pixel (0, 0); zw: its origin
 uniform vec4 eyeRayStep;   // change of these a pixel of level 0
 uniform bool distanceWeights;
+uniform int numberOfClippingPlanes;
+uniform vec4 clippingPlanes[6]; // in eye coordinates, of unit length
 uniform bool depthTest;    // only what is near the frontmost interval is averaged (not in the paper)
 
 bool isInsideImage(ivec2 coarse)
@@ -48,11 +50,26 @@ float getDiscDistance(vec4 shape, vec4 interval, vec2 pixel, vec2 toCenter, out 
   return dot(offset, offset) / (shape.w * shape.w);
 }
 
-float getDistance(vec4 shape, vec4 interval, vec2 pixel)
+float getDistance(vec4 shape, vec4 interval, vec2 pixel, out float depth)
 {
-  float depth;
+  depth = interval.x;
   return centerDepths ? getDiscDistance(shape, interval, pixel, interval.zw, depth)
                       : getEllipseDistance(shape, interval, interval.zw);
+}
+
+// Whether all of the fine pixel, at a depth, is beyond a plane of clipping: then a disc hides
+// nothing there.
+bool isClipped(vec2 pixel, float depth)
+{
+  vec4 ray = eyeRay + vec4(pixel, pixel) * eyeRayStep;
+  vec4 position = vec4(ray.zw + depth * ray.xy, -depth, 1.0);
+  float reach = 0.71 * (fineSize - 1.0) * length(getEyeOffset(vec2(1.0), depth));
+  bool clipped = false;
+  for (int i = 0; i < numberOfClippingPlanes; ++i)
+  {
+    clipped = clipped || dot(clippingPlanes[i], position) < -reach;
+  }
+  return clipped;
 }
 
 bool facesViewer(vec3 normal, vec2 pixel)
@@ -121,8 +138,10 @@ void main()
       intervals[i] = texelFetch(coarseInterval, coarse, 0);
       // the displacement becomes relative to the fine pixel
       intervals[i].zw += (2.0 * vec2(coarse) + 1.0) * fineSize - fineCenter;
-      float distance = getDistance(shapes[i], intervals[i], fineCenter);
-      if (distance <= (isBack && facesViewer(shapes[i].xyz, fineCenter) ? 4.0 : 1.0))
+      float depth;
+      float distance = getDistance(shapes[i], intervals[i], fineCenter, depth);
+      if (distance <= (isBack && facesViewer(shapes[i].xyz, fineCenter) ? 4.0 : 1.0) &&
+        !isClipped(fineCenter, depth))
       {
         // biquadratic B-spline subdivision: 9, 3, 3, 1 of 16
         weights[i] = distanceWeights

@@ -77,6 +77,7 @@ class Scene:
     """One surface in a renderer of its own window, looked at from the side."""
 
     def __init__(self, mapper_class, data, size=(200, 200)):
+        self.is_mesh = mapper_class is vtkPolyDataMapper
         self.mapper = mapper_class()
         self.mapper.SetInputData(data)
         self.actor = vtkActor()

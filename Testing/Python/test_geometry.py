@@ -7,7 +7,6 @@ from scenes import MAPPERS, Scene, array, assert_baseline, assert_same_surface, 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 
 CENTER = np.array([1e7, -2e7, 5e6])
 CENTIMETRE = 0.01
@@ -34,7 +33,7 @@ def stretch(scene):
 
 def mirror(scene):
     """VTK 9.1 lights a mirrored mesh from behind; this one is its own mirror image."""
-    scene.actor.SetScale(0.8 if isinstance(scene.mapper, vtkPolyDataMapper) else -0.8, 1.0, 1.0)
+    scene.actor.SetScale(0.8 if scene.is_mesh else -0.8, 1.0, 1.0)
     scene.actor.RotateZ(20)
 
 

@@ -134,9 +134,10 @@ def test_flat_interpolation_is_smooth(mapper_class):
 @pytest.mark.parametrize("mapper_class", MAPPERS)
 def test_two_sided(mapper_class):
     """Normals that point inwards are lit as those that point outwards."""
+
     def turn_normals(scene):
         several(scene)
-        if isinstance(scene.mapper, mapper_class):
+        if not scene.is_mesh:
             data = scene.mapper.GetInput().GetPointData()
             data.SetNormals(array(-vtk_to_numpy(data.GetNormals()), "Normals"))
 
