@@ -192,7 +192,7 @@ CASES = {
     "texture": textured,
     "shader replacement": replaced,
 }
-SHARP = {"NaN": 6, "beyond the range": 5, "texture": 6, "lookup table": 3.5, "by name": 3.5, "by component": 3.5, "of cells": 3.5}
+SHARP = {"NaN": 6, "beyond the range": 5, "texture": 6, "lookup table": 3.5, "by name": 3.5, "by component": 3.5, "of cells": 4}
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
