@@ -126,7 +126,7 @@ void vtkDrawablePoints::SelectPoints(vtkPolyData* input)
     this->Say(line.str());
     ghosts = nullptr;
   }
-  this->DrawnIds.clear();
+  std::vector<unsigned int> ids;
   vtkMath::UninitializeBounds(this->Bounds);
   double lower[3] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
   double upper[3] = { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
@@ -144,21 +144,21 @@ void vtkDrawablePoints::SelectPoints(vtkPolyData* input)
     const bool hidden = ghosts && (ghosts->GetValue(id) & vtkDataSetAttributes::HIDDENPOINT);
     if (!finite || hidden)
     {
-      if (this->DrawnIds.empty())
+      if (ids.empty())
       {
         // the first point to leave out: from here on a list is needed
-        this->DrawnIds.resize(drawn);
+        ids.resize(drawn);
         for (vtkIdType i = 0; i < drawn; ++i)
         {
-          this->DrawnIds[i] = static_cast<unsigned int>(i);
+          ids[i] = static_cast<unsigned int>(i);
         }
-        this->DrawnIds.reserve(count);
+        ids.reserve(count);
       }
       continue;
     }
     if (drawn < id)
     {
-      this->DrawnIds.push_back(static_cast<unsigned int>(id));
+      ids.push_back(static_cast<unsigned int>(id));
     }
     ++drawn;
     for (int k = 0; k < 3; ++k)
@@ -168,6 +168,11 @@ void vtkDrawablePoints::SelectPoints(vtkPolyData* input)
     }
   }
   this->NumberOfDrawnPoints = drawn;
+  if (ids != this->DrawnIds)
+  {
+    this->DrawnIds.swap(ids);
+    this->DrawnIdsTime.Modified();
+  }
   if (drawn == 0)
   {
     this->Cloud->SetPoints(vtkNew<vtkPoints>());
@@ -198,7 +203,11 @@ void vtkDrawablePoints::SelectPoints(vtkPolyData* input)
   {
     repaired->SetPoint(id, lower);
   }
-  this->Cloud->SetPoints(repaired);
+  if (this->KeptCoordinates.Keep(repaired->GetData()) == repaired->GetData())
+  {
+    this->RepairedPoints = repaired; // other values than last time
+  }
+  this->Cloud->SetPoints(this->RepairedPoints);
   double x[3];
   points->GetPoint(faulty.front(), x);
   std::ostringstream line;
@@ -262,7 +271,7 @@ void vtkDrawablePoints::SelectNormals(vtkPolyData* input, vtkAlgorithm* caller)
             "the points.";
     this->Say(line.str());
   }
-  this->Cloud->GetPointData()->SetNormals(repaired ? repaired : normals);
+  this->Cloud->GetPointData()->SetNormals(this->KeptNormals.Keep(repaired ? repaired : normals));
 }
 
 //------------------------------------------------------------------------------
@@ -391,6 +400,7 @@ void vtkDrawablePoints::RepairRadii(vtkDataArray* array)
       this->Radii->SetValue(id, static_cast<float>(IsRadius(r) ? std::min(r, limit) : mean));
     }
   }
+  this->Radii = static_cast<vtkFloatArray*>(this->KeptRadii.Keep(this->Radii));
 }
 
 bool vtkDrawablePoints::Estimate::IsOf(vtkPoints* points) const

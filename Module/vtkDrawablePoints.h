@@ -12,8 +12,10 @@
 #ifndef vtkDrawablePoints_h
 #define vtkDrawablePoints_h
 
+#include "vtkKeptArray.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
+#include "vtkTimeStamp.h"
 #include "vtkType.h"
 
 #include <string>
@@ -81,9 +83,11 @@ public:
   ///@}
 
   /**
-   * Ids of the points to draw; empty when all `GetNumberOfDrawnPoints()` of them are drawn.
+   * Ids of the points to draw, and when they last changed; empty when all
+   * `GetNumberOfDrawnPoints()` of them are drawn.
    */
   const std::vector<unsigned int>& GetDrawnIds() const { return this->DrawnIds; }
+  vtkMTimeType GetDrawnIdsTime() const { return this->DrawnIdsTime; }
   vtkIdType GetNumberOfDrawnPoints() const { return this->NumberOfDrawnPoints; }
 
   /**
@@ -110,6 +114,11 @@ private:
     bool IsOf(vtkPoints* points) const;
     void Set(vtkPoints* points, vtkFloatArray* array);
   };
+  /// What is converted or repaired, which stays the same for as long as its values do.
+  vtkKeptArray KeptCoordinates;
+  vtkSmartPointer<vtkPoints> RepairedPoints;
+  vtkKeptArray KeptNormals;
+  vtkKeptArray KeptRadii;
   Estimate EstimatedNormals;
   Estimate EstimatedRadii;
 
@@ -119,6 +128,7 @@ private:
   double LargestRadius = 0.0;
   double MeanRadius = 0.0;
   std::vector<unsigned int> DrawnIds;
+  vtkTimeStamp DrawnIdsTime;
   vtkIdType NumberOfDrawnPoints = 0;
   double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
   std::vector<std::string> Remarks;

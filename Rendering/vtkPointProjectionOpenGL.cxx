@@ -43,18 +43,25 @@ bool vtkPointProjectionOpenGL::HasColors(vtkOpenGLVertexBufferObjectGroup* buffe
 vtkPointProjectionOpenGL::vtkPointProjectionOpenGL() = default;
 vtkPointProjectionOpenGL::~vtkPointProjectionOpenGL() = default;
 
-void vtkPointProjectionOpenGL::UploadIds(const std::vector<unsigned int>& ids)
+size_t vtkPointProjectionOpenGL::UploadIds(const std::vector<unsigned int>& ids, vtkMTimeType time)
 {
+  if (this->IdsTime == time)
+  {
+    return 0;
+  }
+  this->IdsTime = time;
   this->Ids->IndexCount = ids.size();
   if (!ids.empty())
   {
     this->Ids->Upload(ids, vtkOpenGLIndexBufferObject::ElementArrayBuffer);
   }
+  return ids.size() * sizeof(unsigned int);
 }
 
 void vtkPointProjectionOpenGL::ReleaseGraphicsResources(vtkWindow*)
 {
   this->Ids->ReleaseGraphicsResources();
+  this->IdsTime = 0;
   this->VertexArray->ReleaseGraphicsResources();
   this->BoundProgram = nullptr;
 }

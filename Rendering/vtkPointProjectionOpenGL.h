@@ -51,9 +51,10 @@ public:
   ~vtkPointProjectionOpenGL();
 
   /**
-   * Ids of the points to draw; an empty list stands for all of them.
+   * Ids of the points to draw; an empty list stands for all of them. `time` is when they were last
+   * changed; those that are there already are not sent again. Returns the bytes that were sent.
    */
-  void UploadIds(const std::vector<unsigned int>& ids);
+  size_t UploadIds(const std::vector<unsigned int>& ids, vtkMTimeType time);
 
   /**
    * Draws the points of the view's ranges into `target`, which has the layers Shape and Interval at
@@ -75,6 +76,7 @@ private:
     const vtkPointProjectionOptions& options);
 
   vtkNew<vtkOpenGLIndexBufferObject> Ids;
+  vtkMTimeType IdsTime = 0;
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
   vtkShaderProgram* BoundProgram = nullptr; // whose attributes VertexArray holds; not owned
   vtkTimeStamp BindTime;

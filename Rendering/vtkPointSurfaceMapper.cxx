@@ -3,6 +3,7 @@
 
 #include "vtkDrawablePoints.h"
 #include "vtkEyeFrame.h"
+#include "vtkKeptArray.h"
 #include "vtkPointBlocks.h"
 #include "vtkPointProjectionCPU.h"
 #include "vtkPointProjectionOpenGL.h"
@@ -52,6 +53,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <thread>
 #include <vector>
 
@@ -101,6 +103,9 @@ public:
   int ViewportOrigin[2] = { 0, 0 };
   vtkNew<vtkMatrix4x4> ViewToEye;          // of the view that is drawn; see vtkEyeFrame
   vtkOpenGLRenderWindow* Window = nullptr; // of the last frame; cleared when it releases us
+  vtkTimeStamp FrameTime;                  // the start of the last one
+  vtkMTimeType ColorTableTime = 0;         // of the colour table that was uploaded
+  std::map<std::string, vtkKeptArray> StandIns;
   vtkOpenGLRenderTimer Timers[NumberOfStages];
   double ClockMilliseconds[NumberOfStages] = { 0.0, 0.0, 0.0 }; // of stages without OpenGL
 
@@ -204,6 +209,9 @@ void vtkPointSurfaceMapper::UpdateCameraShiftScale(vtkRenderer* renderer, vtkAct
   // to another it releases in the old one's context, and windows without PopContext leave that
   // context current.
   renderer->GetRenderWindow()->MakeCurrent();
+  this->Internals->FrameTime.Modified();
+  this->LastFrameBytesUploaded = 0;
+  this->LastFrameSurfaceBytesUploaded = 0;
   this->ChooseBackend();
   this->UpdateDrawablePoints();
   this->CurrentInput = this->Internals->Points.GetCloud();
@@ -377,7 +385,8 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
     this->VBOInverseTransform->Scale(1.0 / scale[0], 1.0 / scale[1], 1.0 / scale[2]);
     this->VBOInverseTransform->GetTranspose(this->VBOShiftScale);
   }
-  this->Internals->Projection.UploadIds(points.GetDrawnIds());
+  this->LastFrameBytesUploaded +=
+    this->Internals->Projection.UploadIds(points.GetDrawnIds(), points.GetDrawnIdsTime());
   this->VBOBuildTime.Modified();
 }
 
@@ -388,10 +397,10 @@ vtkSmartPointer<vtkDataArray> vtkPointSurfaceMapper::GetNormals()
     return this->Internals->Points.GetCloud()->GetPointData()->GetNormals();
   }
   // VTK's shaders take a normal from the surface buffer only where there is a buffer of normals
-  auto standIn = vtkSmartPointer<vtkFloatArray>::New();
+  vtkNew<vtkFloatArray> standIn;
   standIn->SetNumberOfComponents(3);
   standIn->InsertNextTuple3(0.0, 0.0, 1.0);
-  return standIn;
+  return this->Internals->StandIns["normalMC"].Keep(standIn);
 }
 
 vtkDataArray* vtkPointSurfaceMapper::RequireTuples(vtkDataArray* array, const char* what)
@@ -414,10 +423,12 @@ void vtkPointSurfaceMapper::UploadStandIn(
     this->VBOs->RemoveAttribute(attribute);
     return;
   }
-  auto first = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
-  first->SetNumberOfComponents(array->GetNumberOfComponents());
-  first->InsertNextTuple(0, array);
-  this->VBOs->CacheDataArray(attribute, first, cache, VTK_FLOAT);
+  vtkNew<vtkFloatArray> one;
+  one->SetNumberOfComponents(array->GetNumberOfComponents());
+  one->SetNumberOfTuples(1);
+  one->Fill(0.0);
+  this->VBOs->CacheDataArray(
+    attribute, this->Internals->StandIns[attribute].Keep(one), cache, VTK_FLOAT);
 }
 
 void vtkPointSurfaceMapper::UpdateMaximumPointCellIds(vtkRenderer* renderer, vtkActor*)
@@ -444,6 +455,8 @@ void vtkPointSurfaceMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
   }
   std::fill_n(this->Internals->ClockMilliseconds, static_cast<int>(NumberOfStages), 0.0);
 
+  this->CountBytesUploaded();
+
   this->Internals->Current = nullptr;
   const std::vector<vtkPointBlockGroup> groups = this->GetBlockGroups(renderer, actor);
   if (groups.size() > 1)
@@ -458,6 +471,36 @@ void vtkPointSurfaceMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
     this->DrawBlocks(renderer, actor, groups.front());
   }
   this->DrawBlocks(renderer, actor, groups.back());
+}
+
+std::set<std::string> vtkPointSurfaceMapper::GetBufferNames() const
+{
+  std::set<std::string> names = { "vertexMC", "normalMC", "radiusMC", "scalarColor", "tcoord",
+    VTK_POINT_SURFACE_COLOR_TCOORD };
+  for (const auto& attribute : this->ExtraAttributes)
+  {
+    names.insert(attribute.first);
+  }
+  return names;
+}
+
+void vtkPointSurfaceMapper::CountBytesUploaded()
+{
+  for (const std::string& name : this->GetBufferNames())
+  {
+    vtkOpenGLVertexBufferObject* buffer = this->VBOs->GetVBO(name.c_str());
+    if (buffer && buffer->GetUploadTime() > this->Internals->FrameTime)
+    {
+      this->LastFrameBytesUploaded +=
+        static_cast<vtkIdType>(buffer->GetNumberOfTuples()) * buffer->GetStride();
+    }
+  }
+  if (this->ColorTextureMap && this->ColorTextureMap->GetMTime() != this->Internals->ColorTableTime)
+  {
+    this->Internals->ColorTableTime = this->ColorTextureMap->GetMTime();
+    vtkDataArray* table = this->ColorTextureMap->GetPointData()->GetScalars();
+    this->LastFrameBytesUploaded += table->GetNumberOfValues() * table->GetDataTypeSize();
+  }
 }
 
 void vtkPointSurfaceMapper::DrawBlocks(
@@ -606,10 +649,9 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(
   else
   {
     // not VBOs->GetMTime(), which new values in an array do not change
-    for (const char* name : { "vertexMC", "normalMC", "radiusMC", "scalarColor", "tcoord",
-           VTK_POINT_SURFACE_COLOR_TCOORD })
+    for (const std::string& name : this->GetBufferNames())
     {
-      vtkOpenGLVertexBufferObject* buffer = this->VBOs->GetVBO(name);
+      vtkOpenGLVertexBufferObject* buffer = this->VBOs->GetVBO(name.c_str());
       view.DataTime =
         std::max(view.DataTime, buffer ? buffer->GetUploadTime().GetMTime() : vtkMTimeType(0));
     }
@@ -678,7 +720,7 @@ void vtkPointSurfaceMapper::FindOrMakeSurfaceBuffer(
     {
       vtkResolveCPU::Run(view, samples, internals.Pixels);
     }
-    surface->Target.Upload(window, internals.Pixels);
+    this->LastFrameSurfaceBytesUploaded += surface->Target.Upload(window, internals.Pixels);
     internals.ClockMilliseconds[Reconstruct] =
       1e3 * (vtkTimerLog::GetUniversalTime() - start) - internals.ClockMilliseconds[Project];
     return;
@@ -960,4 +1002,6 @@ void vtkPointSurfaceMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LastFrameLevels: " << this->LastFrameLevels << "\n";
   os << indent << "LastFramePasses: " << this->LastFramePasses << "\n";
   os << indent << "LastFrameReconstructions: " << this->LastFrameReconstructions << "\n";
+  os << indent << "LastFrameBytesUploaded: " << this->LastFrameBytesUploaded << "\n";
+  os << indent << "LastFrameSurfaceBytesUploaded: " << this->LastFrameSurfaceBytesUploaded << "\n";
 }

@@ -39,6 +39,8 @@
 #include "vtkSmartPointer.h"       // for vtkSmartPointer
 
 #include <memory> // for std::unique_ptr
+#include <set>    // for std::set
+#include <string> // for std::string
 #include <vector> // for std::vector
 
 class vtkImageData;
@@ -138,6 +140,18 @@ public:
   vtkGetMacro(LastFrameLevels, int);
   vtkGetMacro(LastFramePasses, int);
   vtkGetMacro(LastFrameReconstructions, int);
+  ///@}
+
+  ///@{
+  /**
+   * Bytes that the last frame sent to OpenGL: of the cloud, that is of its coordinates, normals,
+   * radii, colours, ids to draw and colour table; and, on the CPU back end, of the surface buffer.
+   * The first is 0 unless the data or its colours have changed; on the CPU back end, where the
+   * cloud stays in memory, it is a few bytes once. The second is 0 when a surface buffer of an
+   * earlier frame still held.
+   */
+  vtkGetMacro(LastFrameBytesUploaded, vtkIdType);
+  vtkGetMacro(LastFrameSurfaceBytesUploaded, vtkIdType);
   ///@}
 
   ///@{
@@ -274,6 +288,8 @@ protected:
   int LastFrameLevels = 0;
   int LastFramePasses = 0;
   int LastFrameReconstructions = 0;
+  vtkIdType LastFrameBytesUploaded = 0;
+  vtkIdType LastFrameSurfaceBytesUploaded = 0;
 
 private:
   vtkPointSurfaceMapper(const vtkPointSurfaceMapper&) = delete;
@@ -286,10 +302,12 @@ private:
   // Normals for the buffers; where there are none, one that stands in for them.
   vtkSmartPointer<vtkDataArray> GetNormals();
   // By the components of its buffers VTK knows what its shaders have to do; where nothing but that
-  // is needed of them, the first tuple is enough.
+  // is needed of them, a tuple of zeros is enough.
   void UploadStandIn(
     const char* attribute, vtkDataArray* array, vtkOpenGLVertexBufferObjectCache* cache);
   int GetPossibleSupersampling(int viewportSize);
+  std::set<std::string> GetBufferNames() const;
+  void CountBytesUploaded();
   void DrawBlocks(vtkRenderer* renderer, vtkActor* actor, const vtkPointBlockGroup& blocks);
   vtkPointSurfaceView GetView(
     vtkRenderer* renderer, vtkActor* actor, const vtkPointBlockGroup& blocks);

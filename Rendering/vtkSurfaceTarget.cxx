@@ -192,9 +192,11 @@ std::string vtkSurfaceTarget::GetOutputDeclarations(const std::vector<Layer>& la
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceTarget::Upload(vtkOpenGLRenderWindow* window, const vtkSurfacePixels& pixels)
+size_t vtkSurfaceTarget::Upload(vtkOpenGLRenderWindow* window, const vtkSurfacePixels& pixels)
 {
   const std::array<int, 4>& r = pixels.Rectangle;
+  const size_t size = static_cast<size_t>(r[2] - r[0]) * (r[3] - r[1]);
+  size_t bytes = 0;
   window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   for (Layer layer : this->Layers)
   {
@@ -207,7 +209,9 @@ void vtkSurfaceTarget::Upload(vtkOpenGLRenderWindow* window, const vtkSurfacePix
       IsInteger(layer) ? GL_RED_INTEGER : GL_RGBA, IsInteger(layer) ? GL_UNSIGNED_INT : GL_FLOAT,
       values);
     texture->Deactivate();
+    bytes += size * (IsInteger(layer) ? sizeof(unsigned int) : 4 * sizeof(float));
   }
+  return bytes;
 }
 
 //------------------------------------------------------------------------------

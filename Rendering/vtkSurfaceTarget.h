@@ -13,6 +13,7 @@
 #include "vtkNew.h"
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -87,9 +88,10 @@ public:
   static std::string GetOutputDeclarations(const std::vector<Layer>& layers);
 
   /**
-   * Copies pixels to the layers Surface, and Id and Color where the target has them.
+   * Copies pixels to the layers Surface, and Id and Color where the target has them. Returns how
+   * many bytes that are.
    */
-  void Upload(vtkOpenGLRenderWindow* window, const vtkSurfacePixels& pixels);
+  size_t Upload(vtkOpenGLRenderWindow* window, const vtkSurfacePixels& pixels);
 
   ///@{
   /**

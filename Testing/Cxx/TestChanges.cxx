@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a change sends to OpenGL, by counted bytes: nothing for a camera, a light, a colour, an
+// opacity, a radius scale; the scalars alone for new scalars; and a time series of clouds sends
+// each cloud once, without growth in memory. With both back ends.
+
+#include "PointSurfaceTestUtilities.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkLight.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkProperty.h"
+#include "vtkPullPushMapper.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <fstream>
+#include <string>
+
+#ifdef __linux__
+#include <unistd.h>
+#endif
+
+using namespace PointSurfaceTest;
+
+namespace
+{
+Checks check;
+
+constexpr vtkIdType Points = 5000;
+constexpr vtkIdType Vector = 3 * sizeof(float); // coordinates or a normal
+constexpr vtkIdType Scalar = sizeof(float);
+constexpr vtkIdType Color = 4; // bytes
+
+struct Scene
+{
+  vtkNew<vtkPullPushMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkLight> Light;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+  const bool OnGPU;
+  const std::string Name;
+
+  explicit Scene(int backend)
+    : OnGPU(backend == vtkPullPushMapper::OpenGL)
+    , Name(OnGPU ? "OpenGL: " : "CPU: ")
+  {
+    this->Mapper->SetBackend(backend);
+    this->Actor->SetMapper(this->Mapper);
+    this->Light->SetPosition(2.0, 3.0, 4.0);
+    this->Renderer->AddLight(this->Light);
+    this->Renderer->AddActor(this->Actor);
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(100, 80);
+    this->Window->AddRenderer(this->Renderer);
+  }
+
+  vtkIdType Render()
+  {
+    this->Window->Render();
+    return this->Mapper->GetLastFrameBytesUploaded();
+  }
+
+  /// What the cloud sends: all of it to OpenGL, nothing where it stays in memory.
+  void Sends(vtkIdType expected, const std::string& what)
+  {
+    const vtkIdType sent = this->Render();
+    check(sent == (this->OnGPU ? expected : 0),
+      this->Name + what + " sends " + std::to_string(sent) + " bytes, not " +
+        std::to_string(expected));
+  }
+
+  /// And what the surface buffer sends, 16 bytes a pixel, and 16 for colours.
+  void MakesSurface(bool made, const std::string& what)
+  {
+    const int* r = this->Mapper->GetLastFrameRectangle();
+    const vtkIdType pixels = static_cast<vtkIdType>(r[2]) * r[3];
+    const vtkIdType bytes = pixels * (this->Mapper->GetScalarVisibility() ? 32 : 16);
+    check(this->Mapper->GetLastFrameSurfaceBytesUploaded() == (made && !this->OnGPU ? bytes : 0),
+      this->Name + what + ": bytes of the surface buffer");
+    check(this->Mapper->GetLastFrameReconstructions() == (made ? 1 : 0),
+      this->Name + what + ": surface buffers made");
+  }
+};
+
+/// Normals in double precision, an undefined one, a bad radius and a hidden point among them: what
+/// is converted or repaired is no less the same for that.
+vtkSmartPointer<vtkPolyData> MakeCloud(bool faulty)
+{
+  auto cloud = MakeSphereCloud(static_cast<int>(Points));
+  vtkPointData* data = cloud->GetPointData();
+  vtkNew<vtkFloatArray> height;
+  height->SetName("height");
+  for (vtkIdType i = 0; i < Points; ++i)
+  {
+    height->InsertNextValue(static_cast<float>(cloud->GetPoint(i)[1]));
+  }
+  data->SetScalars(height);
+  if (faulty)
+  {
+    vtkNew<vtkDoubleArray> normals;
+    normals->DeepCopy(data->GetNormals());
+    normals->SetTuple3(3, vtkMath::Nan(), 0.0, 0.0);
+    data->SetNormals(normals);
+    data->GetArray("radius")->SetTuple1(4, -1.0);
+    cloud->GetPoints()->SetPoint(5, vtkMath::Nan(), 0.0, 0.0);
+  }
+  return cloud;
+}
+
+void CheckChanges(int backend, bool faulty)
+{
+  Scene scene(backend);
+  vtkPullPushMapper* mapper = scene.Mapper;
+  Messages messages(mapper);
+  auto cloud = MakeCloud(faulty);
+  mapper->SetInputData(cloud);
+  mapper->SetScalarRange(-1.0, 1.0);
+  scene.Renderer->ResetCamera();
+  const vtkIdType ids = faulty ? (Points - 1) * Scalar : 0;
+  const vtkIdType first = scene.Render();
+  check(first == (scene.OnGPU ? Points * (2 * Vector + Scalar + Color) + ids : 28),
+    scene.Name + "the first frame sends the cloud: " + std::to_string(first));
+  scene.MakesSurface(true, "the first frame");
+
+  scene.Sends(0, "a still frame");
+  scene.MakesSurface(false, "a still frame");
+  scene.Renderer->GetActiveCamera()->Azimuth(20.0);
+  scene.Sends(0, "a moved camera");
+  scene.MakesSurface(true, "a moved camera");
+  scene.Light->SetPosition(-1.0, 0.0, 4.0);
+  scene.Light->SetColor(1.0, 0.5, 0.5);
+  scene.Sends(0, "a light");
+  scene.MakesSurface(false, "a light");
+  scene.Actor->GetProperty()->SetColor(0.1, 0.9, 0.3);
+  scene.Actor->GetProperty()->SetSpecular(0.5);
+  scene.Sends(0, "a colour");
+  scene.MakesSurface(false, "a colour");
+  scene.Actor->GetProperty()->SetOpacity(0.5);
+  scene.Sends(0, "an opacity");
+  scene.MakesSurface(false, "an opacity");
+  scene.Actor->GetProperty()->SetOpacity(1.0);
+  mapper->SetRadiusScale(1.2);
+  scene.Sends(0, "a scale of the radii");
+  scene.Actor->SetScale(1.1, 1.0, 1.0);
+  scene.Sends(0, "a moved actor");
+
+  auto* height = vtkFloatArray::SafeDownCast(cloud->GetPointData()->GetScalars());
+  height->SetValue(0, 0.7f);
+  height->Modified();
+  scene.Sends(Points * Color, "new values of scalars");
+  scene.MakesSurface(true, "new values of scalars");
+  mapper->SetScalarRange(-2.0, 2.0);
+  scene.Sends(Points * Color, "another range of scalars");
+  vtkNew<vtkFloatArray> other;
+  other->SetName("other");
+  for (vtkIdType i = 0; i < Points; ++i)
+  {
+    other->InsertNextValue(static_cast<float>(cloud->GetPoint(i)[2]));
+  }
+  cloud->GetPointData()->SetScalars(other);
+  scene.Sends(Points * Color, "another array of scalars");
+  mapper->ScalarVisibilityOff();
+  scene.Sends(0, "no scalars");
+
+  cloud->GetPoints()->SetPoint(7, 0.9, 0.0, 0.0);
+  cloud->GetPoints()->Modified();
+  scene.Sends(Points * Vector, "a moved point");
+}
+
+void CheckBlocks(int backend)
+{
+  Scene scene(backend);
+  vtkPullPushMapper* mapper = scene.Mapper;
+  vtkNew<vtkMultiBlockDataSet> tree;
+  tree->SetBlock(0, MakeCloud(false));
+  tree->SetBlock(1, MakeCloud(false));
+  mapper->SetInputData(tree);
+  mapper->ScalarVisibilityOff();
+  scene.Renderer->ResetCamera();
+  scene.Render();
+  mapper->SetBlockVisibility(1, false);
+  scene.Sends(0, "a hidden block");
+  scene.MakesSurface(true, "a hidden block");
+  mapper->SetBlockPickability(1, false);
+  scene.Sends(0, "a block that is not pickable");
+  mapper->SetBlockColor(2, 1.0, 0.0, 0.0);
+  check(scene.Render() == (scene.OnGPU ? 2 * Points * Color : 16),
+    scene.Name + "the first colour of a block sends colours");
+  mapper->SetBlockColor(2, 0.0, 1.0, 0.0);
+  scene.Sends(2 * Points * Color, "another colour of a block");
+  vtkPointSet::SafeDownCast(tree->GetBlock(0))->GetPoints()->Modified();
+  scene.Sends(2 * Points * Vector, "a block's points");
+}
+
+/// Resident memory in bytes; 0 where it is not known.
+double GetResidentMemory()
+{
+#ifdef __linux__
+  std::ifstream file("/proc/self/statm");
+  double size = 0.0;
+  double resident = 0.0;
+  file >> size >> resident;
+  return resident * sysconf(_SC_PAGESIZE);
+#else
+  return 0.0;
+#endif
+}
+
+void CheckTimeSeries(int backend)
+{
+  Scene scene(backend);
+  scene.Mapper->ScalarVisibilityOff();
+  double before = 0.0;
+  for (int step = 0; step < 200; ++step)
+  {
+    auto cloud = MakeSphereCloud(static_cast<int>(Points) + step);
+    scene.Mapper->SetInputData(cloud);
+    scene.Renderer->ResetCamera();
+    const vtkIdType sent = scene.Render();
+    const vtkIdType count = Points + step;
+    check(
+      !scene.OnGPU || sent == count * (2 * Vector + Scalar), scene.Name + "a step sends its cloud");
+    check(scene.Mapper->GetLastFramePointsDrawn() == count, scene.Name + "a step draws its cloud");
+    before = step == 20 ? GetResidentMemory() : before;
+  }
+  // 180 clouds are 25 MB in memory, and as much again uploaded
+  check.AtMost(1e-6 * (GetResidentMemory() - before), 6.0,
+    scene.Name + "growth in memory over 180 steps, in MB");
+}
+}
+
+int TestChanges(int, char*[])
+{
+  for (int backend : { vtkPullPushMapper::OpenGL, vtkPullPushMapper::CPU })
+  {
+    CheckChanges(backend, false);
+    CheckChanges(backend, true);
+    CheckBlocks(backend);
+    CheckTimeSeries(backend);
+  }
+  return check.GetResult();
+}
