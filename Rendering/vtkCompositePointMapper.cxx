@@ -5,18 +5,23 @@
 #include "vtkPointBlockDisplay.h"
 #include "vtkPointBlocks.h"
 #include "vtkPointCloudPipeline.h"
+#include "vtkPointSelectionBuffers.h"
 
 #include "vtkActor.h"
+#include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkFloatArray.h"
+#include "vtkHardwareSelector.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkOpenGLHelper.h"
+#include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
+#include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
@@ -111,13 +116,6 @@ void vtkCompositePointMapper::UpdateBlocks()
 
 void vtkCompositePointMapper::AddArrayNames(std::vector<std::string>& names)
 {
-  for (const char* name : { this->PointIdArrayName, this->ProcessIdArrayName })
-  {
-    if (name)
-    {
-      names.emplace_back(name);
-    }
-  }
   for (const auto& attribute : this->ExtraAttributes)
   {
     names.push_back(attribute.second.DataArrayName);
@@ -242,6 +240,38 @@ void vtkCompositePointMapper::SetPropertyShaderParameters(
   if (vtkPointBlockDisplay::HasOpacities(this->GetBlocks()))
   {
     helper.Program->SetUniformf("opacityUniform", 1.0f); // all of it is in the colours
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkCompositePointMapper::UpdateMaximumPointCellIds(vtkRenderer* renderer, vtkActor*)
+{
+  // of what is drawn, which is ids of the cloud, and of what is told
+  vtkIdType point = this->GetBlocks().GetCloud()->GetNumberOfPoints() - 1;
+  vtkIdType cell = point;
+  for (const vtkPointBlock& block : this->GetBlocks().GetBlocks())
+  {
+    auto addIds = [](vtkDataArray* ids, vtkIdType& largest)
+    { largest = ids ? std::max(largest, static_cast<vtkIdType>(ids->GetRange()[1])) : largest; };
+    addIds(block.Data->GetPointData()->GetArray(this->PointIdArrayName), point);
+    addIds(block.Data->GetCellData()->GetArray(this->CellIdArrayName), cell);
+    cell = std::max(cell, block.Data->GetNumberOfCells() - 1);
+  }
+  renderer->GetSelector()->UpdateMaximumPointId(point);
+  renderer->GetSelector()->UpdateMaximumCellId(cell);
+}
+
+void vtkCompositePointMapper::ProcessSelectorPixelBuffers(
+  vtkHardwareSelector* selector, std::vector<unsigned int>& pixelOffsets, vtkProp*)
+{
+  if (this->PopulateSelectionSettings)
+  {
+    vtkPointSelectionBuffers buffers;
+    buffers.PointIds = this->PointIdArrayName;
+    buffers.ProcessIds = this->ProcessIdArrayName;
+    buffers.CellIds = this->CellIdArrayName;
+    buffers.CompositeIds = this->CompositeIdArrayName;
+    buffers.Process(selector, pixelOffsets, this->GetBlocks());
   }
 }
 

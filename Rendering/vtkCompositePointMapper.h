@@ -118,6 +118,16 @@ public:
   ///@}
 
   /**
+   * Selection: every pixel of the surface has the id of a point on it, also where none was
+   * projected. Called by vtkHardwareSelector; ids are of the points of a block (of a cell that uses
+   * the point, if cells are asked for), with the block's flat index. PointIdArrayName,
+   * CellIdArrayName, CompositeIdArrayName and ProcessIdArrayName are used as in
+   * vtkOpenGLPolyDataMapper.
+   */
+  void ProcessSelectorPixelBuffers(
+    vtkHardwareSelector* selector, std::vector<unsigned int>& pixelOffsets, vtkProp* prop) override;
+
+  /**
    * Includes the time of the CompositeDataDisplayAttributes.
    */
   vtkMTimeType GetMTime() override;
@@ -157,6 +167,7 @@ protected:
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
   void UpdateCameraShiftScale(vtkRenderer* renderer, vtkActor* actor) override;
   void ComputeBounds() override;
+  void UpdateMaximumPointCellIds(vtkRenderer* renderer, vtkActor* actor) override;
   int CanUseTextureMapForColoring(vtkDataObject* input) override;
   void SetPropertyShaderParameters(
     vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor) override;

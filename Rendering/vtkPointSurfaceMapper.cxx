@@ -431,13 +431,6 @@ void vtkPointSurfaceMapper::UploadStandIn(
     attribute, this->Internals->StandIns[attribute].Keep(one), cache, VTK_FLOAT);
 }
 
-void vtkPointSurfaceMapper::UpdateMaximumPointCellIds(vtkRenderer* renderer, vtkActor*)
-{
-  const vtkIdType last = this->CurrentInput->GetNumberOfPoints() - 1;
-  renderer->GetSelector()->UpdateMaximumPointId(last);
-  renderer->GetSelector()->UpdateMaximumCellId(last);
-}
-
 //------------------------------------------------------------------------------
 void vtkPointSurfaceMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {

@@ -260,7 +260,6 @@ protected:
   void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
   void BuildIBO(vtkRenderer*, vtkActor*, vtkPolyData*) override {}
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
-  void UpdateMaximumPointCellIds(vtkRenderer* renderer, vtkActor* actor) override;
   void GetShaderTemplate(
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
   void ReplaceShaderValues(
