@@ -25,7 +25,8 @@ def read(path, progress=None):
     """The content of a file: vtkImageData for a volume, vtkPolyData for points or a mesh.
 
     By extension: vti, mhd, mha, nhdr, nrrd, nii, nii.gz (volumes, with one component of active scalars);
-    vtp, ply, obj, stl (points, with normals, colours and polygons if the file has them);
+    vtp, ply, obj, stl (points, with normals, colours and polygons if the file has them; an array "radius" is the
+    points' size and never their colour, so it is not left as the active scalars);
     xyz (text, one point a line: x y z, or x y z nx ny nz, or x y z r g b with colours of 0 to 255; blanks or commas
     between the numbers; comments start with # or //).
     progress: called with 0 to 1 while VTK reads.
@@ -203,6 +204,9 @@ def _check_points(path, data):
         raise UnreadableFile(f"{path} holds no points")
     if not np.any(np.isfinite(vtk_to_numpy(data.GetPoints().GetData())).all(axis=1)):
         raise UnreadableFile(f"{path} holds no points with finite coordinates")
+    scalars = data.GetPointData().GetScalars()
+    if scalars is not None and scalars.GetName() == "radius":
+        data.GetPointData().SetActiveScalars(None)
 
 
 def _read_xyz(path):

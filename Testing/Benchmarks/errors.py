@@ -26,7 +26,6 @@ from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLight,
-    vtkPointGaussianMapper,
     vtkPolyDataMapper,
     vtkProperty,
     vtkRenderer,
@@ -34,6 +33,7 @@ from vtkmodules.vtkRenderingCore import (
 
 from pointsurface import vtkIsosurfacePoints, vtkPullPushMapper
 from pointsurface.metrics import SurfaceImage, compare, psnr
+from pointsurface.peers import gaussian_discs
 from pointsurface.rendering import offscreen_window, read_color, renderer_string, write_png, write_whole
 from pointsurface.sampling import sample_by_area
 from pointsurface.truth import mend_normals, render_truth
@@ -78,9 +78,6 @@ AMBIENT, DIFFUSE, SPECULAR, SPECULAR_POWER = 0.1, 0.7, 0.3, 32
 
 GAUSSIAN_SCALES = (0.4, 0.5, 0.6, 0.7, 0.85, 1, 1.3)  # times the radius; the best one is taken
 POINT_SIZES = (1, 2, 3)  # pixels; the best one is taken
-DISC = """//VTK::Color::Impl
-if (dot(offsetVCVSOutput, offsetVCVSOutput) > 1.0) discard;
-"""
 
 LEAD_WANTED = 5  # dB over vtkPointGaussianMapper
 SHARE_ALLOWED = 0.001  # of pixels unfilled, or of wrong depth, zoomed in
@@ -288,17 +285,7 @@ def set_point_colors(cloud, colors):
 
 
 def draw_gaussian(scene, truth):
-    def make_mapper(scale):
-        mapper = vtkPointGaussianMapper()
-        mapper.SetInputData(scene.model.cloud)
-        mapper.SetScaleArray("radius")
-        mapper.SetScaleFactor(scale)
-        mapper.EmissiveOff()
-        mapper.SetSplatShaderCode(DISC)
-        mapper.SetTriangleScale(1)
-        return mapper
-
-    best, image = draw_peer(scene, [make_mapper(scale) for scale in GAUSSIAN_SCALES], truth)
+    best, image = draw_peer(scene, [gaussian_discs(scene.model.cloud, scale) for scale in GAUSSIAN_SCALES], truth)
     return f"{GAUSSIAN}, {GAUSSIAN_SCALES[best]:g} of the radius", image
 
 

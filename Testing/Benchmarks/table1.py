@@ -18,9 +18,10 @@ import sys
 from vtkmodules.vtkCommonComputationalGeometry import vtkParametricTorus
 from vtkmodules.vtkFiltersSources import vtkParametricFunctionSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPointGaussianMapper, vtkPolyDataMapper, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
 from pointsurface import vtkPullPushMapper
+from pointsurface.peers import gaussian_discs
 from pointsurface.rendering import offscreen_window, renderer_string, write_whole
 from pointsurface.sampling import sample_by_area
 from pointsurface.timing import time_frames
@@ -32,9 +33,6 @@ CASES = (("bunny", 25_000), ("armadillo", 173_000), ("buddha", 544_000), ("drago
 SIZES = (512, 1024)
 RENDERERS = ("published", "default", "gaussian", "mesh")
 OURS = RENDERERS[:2]
-DISC = """//VTK::Color::Impl
-if (dot(offsetVCVSOutput, offsetVCVSOutput) > 1.0) discard;
-"""
 
 
 def read_model(name):
@@ -60,17 +58,11 @@ def make_mapper(renderer_name, mesh, count):
         mapper.ScalarVisibilityOff()
         return mapper
     cloud = sample_by_area(mesh, count)
-    if renderer_name in OURS:
-        mapper = vtkPullPushMapper()
-        if renderer_name == "published":
-            mapper.SetToPublished()
-    else:
-        mapper = vtkPointGaussianMapper()
-        mapper.SetScaleArray("radius")
-        mapper.SetScaleFactor(1)
-        mapper.EmissiveOff()
-        mapper.SetSplatShaderCode(DISC)
-        mapper.SetTriangleScale(1)
+    if renderer_name not in OURS:
+        return gaussian_discs(cloud)
+    mapper = vtkPullPushMapper()
+    if renderer_name == "published":
+        mapper.SetToPublished()
     mapper.SetInputData(cloud)
     return mapper
 

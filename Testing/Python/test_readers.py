@@ -215,3 +215,15 @@ def test_xyz_faults(tmp_path):
     check_fault(path, "no points with finite coordinates")
     path.write_text("nan 0 0\n0 1 0\n")
     assert read(str(path)).GetNumberOfPoints() == 2
+
+
+def test_radius_is_no_color(tmp_path):
+    cloud = sphere()
+    radii = numpy_to_vtk(np.full(cloud.GetNumberOfPoints(), 0.1, dtype=np.float32), deep=True)
+    radii.SetName("radius")
+    cloud.GetPointData().SetScalars(radii)
+    path = str(tmp_path / "cloud.vtp")
+    write(path, cloud)
+    data = read(path).GetPointData()
+    assert data.GetScalars() is None
+    assert data.GetArray("radius").GetRange() == pytest.approx((0.1, 0.1))
