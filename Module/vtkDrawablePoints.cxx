@@ -89,6 +89,8 @@ std::vector<std::string> vtkDrawablePoints::Build(
   vtkPolyData* input, const Needs& needs, const RadiusSource& source, vtkAlgorithm* caller)
 {
   this->Remarks.clear();
+  this->Aborted = false;
+  caller->SetAbortExecute(0); // as pipelines do before a filter runs
   this->Cloud = vtkSmartPointer<vtkPolyData>::New();
   this->Cloud->GetPointData()->ShallowCopy(input->GetPointData());
   this->SelectPoints(input);
@@ -435,18 +437,20 @@ void vtkDrawablePoints::EstimateNormals(vtkAlgorithm* caller)
   }
   vtkNew<vtkPointNormals> estimate;
   vtkPointData* output = UpdateFor(caller, estimate, this->Cloud, "Estimating normals");
-  vtkSmartPointer<vtkDataArray> normals = output->GetNormals();
+  auto* normals = vtkFloatArray::SafeDownCast(output->GetNormals());
   if (!normals)
   {
+    this->Aborted = true;
     vtkNew<vtkFloatArray> facing;
     facing->SetName("Normals");
     facing->SetNumberOfComponents(3);
     facing->SetNumberOfTuples(this->Cloud->GetNumberOfPoints());
     facing->Fill(0.0);
-    normals = facing;
+    this->Cloud->GetPointData()->SetNormals(facing);
     this->Say("The estimate of normals was aborted; points are drawn facing the viewer.");
+    return;
   }
-  this->EstimatedNormals.Set(this->InputPoints, vtkFloatArray::SafeDownCast(normals));
+  this->EstimatedNormals.Set(this->InputPoints, normals);
   this->Cloud->GetPointData()->SetNormals(normals);
 }
 
@@ -466,6 +470,7 @@ void vtkDrawablePoints::EstimateRadii(vtkAlgorithm* caller)
   this->LargestRadius = this->MeanRadius = 0.0;
   if (!this->Radii)
   {
+    this->Aborted = true;
     this->Say("The estimate of radii was aborted; nothing is drawn. Set a radius.");
     return;
   }

@@ -52,10 +52,15 @@ public:
   /**
    * Reads `input`. Returns what has to be said of the data, a line each; empty if there is nothing.
    * Estimates report their progress as that of `caller`, and stop when it is told to abort: then
-   * all normals face the viewer, and radii are 0.
+   * all normals face the viewer, and radii are 0. Such estimates are not kept.
    */
   std::vector<std::string> Build(
     vtkPolyData* input, const Needs& needs, const RadiusSource& source, vtkAlgorithm* caller);
+
+  /**
+   * Whether an estimate of the last Build() was aborted.
+   */
+  bool WasAborted() const { return this->Aborted; }
 
   /**
    * The cloud: the input's point arrays, points that are all finite, "Normals" that are finite (a
@@ -132,6 +137,7 @@ private:
   vtkIdType NumberOfDrawnPoints = 0;
   double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
   std::vector<std::string> Remarks;
+  bool Aborted = false;
 };
 
 #endif

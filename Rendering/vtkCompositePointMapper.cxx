@@ -27,6 +27,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <set>
 
 class vtkCompositePointMapper::vtkInternals
 {
@@ -38,6 +39,7 @@ public:
   vtkSmartPointer<vtkUnsignedCharArray> PointColors; // made from colours of cells
   vtkKeptArray Colors;
   vtkKeptArray ColorCoordinates;
+  std::set<std::string> Warnings; // that have been given
 };
 
 vtkCompositePointMapper::vtkCompositePointMapper()
@@ -114,14 +116,6 @@ void vtkCompositePointMapper::UpdateBlocks()
     this->GetInputDataObject(0, 0), this->Internals->Attributes, names);
 }
 
-void vtkCompositePointMapper::AddArrayNames(std::vector<std::string>& names)
-{
-  for (const auto& attribute : this->ExtraAttributes)
-  {
-    names.push_back(attribute.second.DataArrayName);
-  }
-}
-
 std::vector<vtkPointBlockGroup> vtkCompositePointMapper::GetBlockGroups(
   vtkRenderer* renderer, vtkActor* actor)
 {
@@ -182,6 +176,19 @@ vtkDataArray* vtkCompositePointMapper::GetPointColorCoordinates()
   return this->Internals->ColorCoordinates.Keep(this->ColorCoordinates);
 }
 
+void vtkCompositePointMapper::WarnOnce(const std::string& text)
+{
+  if (this->Internals->Warnings.insert(text).second)
+  {
+    vtkWarningMacro(<< text);
+  }
+}
+
+void vtkCompositePointMapper::ForgetWarnings()
+{
+  this->Internals->Warnings.clear();
+}
+
 vtkUnsignedCharArray* vtkCompositePointMapper::MapPointColors(vtkDataSet* input)
 {
   if (this->Colors && input != this->Internals->Mapped)
@@ -208,9 +215,9 @@ vtkUnsignedCharArray* vtkCompositePointMapper::MapPointColors(vtkDataSet* input)
     // one colour for all, as VTK does it
     if (tuple >= colors->GetNumberOfTuples())
     {
-      vtkWarningMacro("FieldDataTupleId is " << tuple << ", but the array of field data has only "
-                                             << colors->GetNumberOfTuples()
-                                             << " tuples; it is not used.");
+      this->WarnOnce("FieldDataTupleId is " + std::to_string(tuple) +
+        ", but the array of field data has only " + std::to_string(colors->GetNumberOfTuples()) +
+        " tuples; it is not used.");
       return nullptr;
     }
     for (vtkIdType id = 0; id < input->GetNumberOfPoints(); ++id)

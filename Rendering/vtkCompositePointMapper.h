@@ -150,7 +150,7 @@ protected:
   /**
    * Adds the names of point arrays that are needed beside normals, texture coordinates and ghosts.
    */
-  virtual void AddArrayNames(std::vector<std::string>& names);
+  virtual void AddArrayNames(std::vector<std::string>&) {}
 
   ///@{
   /**
@@ -159,6 +159,14 @@ protected:
    */
   vtkDataArray* GetPointColors(vtkActor* actor);
   vtkDataArray* GetPointColorCoordinates();
+  ///@}
+
+  ///@{
+  /**
+   * Warns of a fault in the data, if that has not been said since ForgetWarnings().
+   */
+  void WarnOnce(const std::string& text);
+  void ForgetWarnings();
   ///@}
 
   // What VTK calls; see vtkOpenGLPolyDataMapper.

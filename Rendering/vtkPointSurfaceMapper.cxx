@@ -62,6 +62,9 @@ namespace
 /// Light, eyes and tiles of one frame each have a view; this many are kept at a time.
 constexpr size_t MaximumNumberOfSurfaces = 4;
 
+/// Those of a 4k screen at two samples along a side; each takes about 100 bytes.
+constexpr int MaximumNumberOfSamples = 1 << 25;
+
 enum Stage
 {
   Project,
@@ -99,7 +102,7 @@ public:
   unsigned long UseCount = 0;
   std::vector<vtkSurfaceTarget::Layer> ShadedLayers; // that the shading program was made for
   vtkTimeStamp ShadedLayersTime;
-  int WarnedViewportSize = 0; // for which a lower supersampling has been told
+  int WarnedViewport[2] = { 0, 0 }; // for which a lower supersampling has been told
   int ViewportOrigin[2] = { 0, 0 };
   vtkNew<vtkMatrix4x4> ViewToEye;          // of the view that is drawn; see vtkEyeFrame
   vtkOpenGLRenderWindow* Window = nullptr; // of the last frame; cleared when it releases us
@@ -195,7 +198,6 @@ void vtkPointSurfaceMapper::ReleaseGraphicsResources(vtkWindow* window)
 //------------------------------------------------------------------------------
 void vtkPointSurfaceMapper::AddArrayNames(std::vector<std::string>& names)
 {
-  this->Superclass::AddArrayNames(names);
   if (this->NeedsRadii())
   {
     names.emplace_back("radius");
@@ -258,6 +260,7 @@ void vtkPointSurfaceMapper::UpdateDrawablePoints()
   {
     return;
   }
+  this->ForgetWarnings();
   for (const std::string& remark : this->GetBlocks().GetRemarks())
   {
     vtkWarningMacro(<< remark);
@@ -269,7 +272,8 @@ void vtkPointSurfaceMapper::UpdateDrawablePoints()
   {
     vtkWarningMacro(<< remark);
   }
-  this->Internals->PointsInput = input;
+  // what an abort left out is made in the next frame
+  this->Internals->PointsInput = this->Internals->Points.WasAborted() ? nullptr : input;
   this->Internals->PointsInputTime = input->GetMTime();
   this->Internals->PointsRadiusSource = source;
   this->Internals->PointsTime.Modified();
@@ -322,9 +326,14 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
     : this->RequireTuples(cloud->GetPointData()->GetTCoords(), "texture coordinates");
   if (!tcoords && actor->GetTexture() && cloud->GetPointData()->GetTCoords())
   {
-    vtkWarningMacro(
-      "The points have colours, so the actor's texture is not drawn; turn colours off "
-      "(ScalarVisibilityOff) to see it.");
+    this->WarnOnce("The points have colours, so the actor's texture is not drawn; turn colours off "
+                   "(ScalarVisibilityOff) to see it.");
+  }
+  if (!this->ExtraAttributes.empty())
+  {
+    this->WarnOnce("The point array '" + this->ExtraAttributes.begin()->second.DataArrayName +
+      "' is mapped to a vertex attribute, which has no use: pixels are shaded here, not vertices. "
+      "Remove it (RemoveAllVertexAttributeMappings).");
   }
   if (this->LastFrameBackend == CPU)
   {
@@ -349,14 +358,9 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
   }
   if (this->Backend == CPU)
   {
-    vtkWarningMacro("This mapper has no CPU form; it is drawn by OpenGL (SetBackendToOpenGL).");
+    this->WarnOnce("This mapper has no CPU form; it is drawn by OpenGL (SetBackendToOpenGL).");
   }
 
-  for (const auto& attribute : this->ExtraAttributes)
-  {
-    this->VBOs->CacheDataArray(attribute.first.c_str(),
-      cloud->GetPointData()->GetArray(attribute.second.DataArrayName.c_str()), cache, VTK_FLOAT);
-  }
   this->VBOs->CacheDataArray("vertexMC", cloud->GetPoints()->GetData(), cache, VTK_FLOAT);
   if (vtkOpenGLVertexBufferObject* positions = this->VBOs->GetVBO("vertexMC"))
   {
@@ -410,8 +414,8 @@ vtkDataArray* vtkPointSurfaceMapper::RequireTuples(vtkDataArray* array, const ch
   {
     return array;
   }
-  vtkWarningMacro("There are " << array->GetNumberOfTuples() << " " << what << " for " << points
-                               << " points; they are not used. Give one for each point.");
+  this->WarnOnce("There are " + std::to_string(array->GetNumberOfTuples()) + " " + what + " for " +
+    std::to_string(points) + " points; they are not used. Give one for each point.");
   return nullptr;
 }
 
@@ -473,13 +477,8 @@ void vtkPointSurfaceMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
 
 std::set<std::string> vtkPointSurfaceMapper::GetBufferNames() const
 {
-  std::set<std::string> names = { "vertexMC", "normalMC", "radiusMC", "scalarColor", "tcoord",
+  return { "vertexMC", "normalMC", "radiusMC", "scalarColor", "tcoord",
     VTK_POINT_SURFACE_COLOR_TCOORD };
-  for (const auto& attribute : this->ExtraAttributes)
-  {
-    names.insert(attribute.first);
-  }
-  return names;
 }
 
 void vtkPointSurfaceMapper::CountBytesUploaded()
@@ -557,18 +556,28 @@ int GetCulling(vtkProperty* property)
 }
 }
 
-int vtkPointSurfaceMapper::GetPossibleSupersampling(int viewportSize)
+int vtkPointSurfaceMapper::GetPossibleSupersampling(const int viewport[2])
 {
-  const int limit = vtkTextureObject::GetMaximumTextureSize(this->Internals->Window);
-  const int possible =
-    std::max(1, std::min(this->Supersampling, limit / std::max(1, viewportSize)));
-  if (possible < this->Supersampling && this->Internals->WarnedViewportSize != viewportSize)
+  const int largest = vtkTextureObject::GetMaximumTextureSize(this->Internals->Window);
+  auto isPossible = [&](int samples)
   {
-    this->Internals->WarnedViewportSize = viewportSize;
+    const double width = static_cast<double>(samples) * viewport[0];
+    const double height = static_cast<double>(samples) * viewport[1];
+    return std::max(width, height) <= largest && width * height <= MaximumNumberOfSamples;
+  };
+  int possible = this->Supersampling;
+  while (possible > 1 && !isPossible(possible))
+  {
+    --possible;
+  }
+  if (possible < this->Supersampling &&
+    !std::equal(viewport, viewport + 2, this->Internals->WarnedViewport))
+  {
+    std::copy_n(viewport, 2, this->Internals->WarnedViewport);
     vtkWarningMacro("A Supersampling of "
-      << this->Supersampling << " of a viewport of " << viewportSize
-      << " pixels would need a texture larger than " << limit << "; it is lowered to " << possible
-      << " there.");
+      << this->Supersampling << " of a viewport of " << viewport[0] << " x " << viewport[1]
+      << " pixels would need more than textures can hold (" << largest << " along a side) or "
+      << MaximumNumberOfSamples << " samples; it is lowered to " << possible << " there.");
   }
   return possible;
 }
@@ -618,7 +627,7 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(
   int viewport[4];
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   std::copy_n(viewport, 2, this->Internals->ViewportOrigin);
-  view.Supersampling = this->GetPossibleSupersampling(std::max(viewport[2], viewport[3]));
+  view.Supersampling = this->GetPossibleSupersampling(viewport + 2);
   view.Size = { view.Supersampling * viewport[2], view.Supersampling * viewport[3] };
 
   view.Cull = this->NeedsNormals() ? GetCulling(actor->GetProperty())
@@ -717,6 +726,7 @@ void vtkPointSurfaceMapper::FindOrMakeSurfaceBuffer(
     if (resolve)
     {
       vtkResolveCPU::Run(view, samples, internals.Pixels);
+      ++this->LastFramePasses;
     }
     this->LastFrameSurfaceBytesUploaded += surface->Target.Upload(window, internals.Pixels);
     internals.ClockMilliseconds[Reconstruct] =
@@ -745,6 +755,7 @@ void vtkPointSurfaceMapper::FindOrMakeSurfaceBuffer(
       internals.Samples.Allocate(window, view.Size[0], view.Size[1], layers);
       this->MakeSurfaceBuffer(window, view, internals.Samples);
       internals.Resolve.Run(window, view, internals.Samples, surface->Target);
+      ++this->LastFramePasses;
     }
     else
     {

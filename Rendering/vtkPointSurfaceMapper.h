@@ -12,7 +12,8 @@
  * other props come from VTK. The input is any vtkPointSet; its points are drawn, whether they are
  * in cells or not. Normals come from the point data, else they are estimated once
  * (vtkPointNormals), as
- * radii are: the mapper's progress events tell of it, and AbortExecute stops it. vtkProperty's
+ * radii are: the mapper's progress events tell of it, and AbortExecute stops it until the next
+ * frame. vtkProperty's
  * BackfaceCulling drops points whose normal faces away (as the papers do, for closed surfaces with
  * outward normals); without it, VTK's default, all points are drawn, whichever way their normals
  * point, and the surface is lit from both sides. Flat interpolation is drawn smooth: a cloud has no
@@ -93,7 +94,8 @@ public:
    * Samples along each side of a pixel, 1 to 4; default 1. The surface buffer is made that many
    * times finer and then averaged: smoother normals, and outlines that blend with what has been
    * drawn before (so draw what lies behind first). The cost grows with the number of samples. A
-   * value for which the viewport would be larger than a texture can be is lowered, with a warning.
+   * value for which the viewport would be larger than a texture can be, or have more than 2^25
+   * samples, is lowered, with a warning.
    */
   vtkSetClampMacro(Supersampling, int, 1, 4);
   vtkGetMacro(Supersampling, int);
@@ -304,7 +306,7 @@ private:
   // is needed of them, a tuple of zeros is enough.
   void UploadStandIn(
     const char* attribute, vtkDataArray* array, vtkOpenGLVertexBufferObjectCache* cache);
-  int GetPossibleSupersampling(int viewportSize);
+  int GetPossibleSupersampling(const int viewport[2]);
   std::set<std::string> GetBufferNames() const;
   void CountBytesUploaded();
   void DrawBlocks(vtkRenderer* renderer, vtkActor* actor, const vtkPointBlockGroup& blocks);

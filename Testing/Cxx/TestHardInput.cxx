@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Clouds that cannot be drawn as they are: each gives one message that names what is wrong, and a
-// frame, and the good cloud beside it is drawn as if the bad one were not there.
+// Clouds that cannot be drawn as they are, for every mapper: each gives one message that names what
+// is wrong, and a frame, and the good cloud beside it is drawn as if the bad one were not there.
 
+#include "PointSurfaceTestMappers.h"
 #include "PointSurfaceTestUtilities.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
-#include "vtkPullPushMapper.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkStringArray.h"
 #include "vtkTestErrorObserver.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -28,12 +32,21 @@ Checks check;
 const float NaN = std::numeric_limits<float>::quiet_NaN();
 const float Infinity = std::numeric_limits<float>::infinity();
 
+/// What a fault is in: a mapper that has no use for it says nothing of it.
+enum Concern
+{
+  Points,
+  Normals,
+  Radius
+};
+
 struct Case
 {
   std::string Name;
-  std::function<void(vtkPolyData*, vtkPullPushMapper*)> Spoil;
+  std::function<void(vtkPolyData*, vtkPointSurfaceMapper*)> Spoil;
   std::string Message; // part of the warning that is expected; empty for none
   bool Draws;          // whether the cloud shows all the same
+  Concern Of = Points;
 };
 
 vtkFloatArray* Radii(vtkPolyData* cloud)
@@ -60,7 +73,7 @@ void AddGhosts(vtkPolyData* cloud, vtkIdType count)
 
 std::vector<Case> GetCases()
 {
-  using Mapper = vtkPullPushMapper;
+  using Mapper = vtkPointSurfaceMapper;
   return {
     { "a good cloud", [](vtkPolyData*, Mapper*) {}, "", true },
     { "no points", [](vtkPolyData* c, Mapper*) { KeepPoints(c, 0); }, "no points", false },
@@ -104,10 +117,10 @@ std::vector<Case> GetCases()
     { "no normals", [](vtkPolyData* c, Mapper*) { c->GetPointData()->SetNormals(nullptr); }, "",
       true },
     { "zero normals", [](vtkPolyData* c, Mapper*) { c->GetPointData()->GetNormals()->Fill(0.0); },
-      "Array 'Normals' has 2000 normals that are zero", true },
+      "Array 'Normals' has 2000 normals that are zero", true, Normals },
     { "a NaN normal",
       [](vtkPolyData* c, Mapper*) { c->GetPointData()->GetNormals()->SetTuple3(5, NaN, 0.0, 1.0); },
-      "1 that are not finite (the first is of point 5)", true },
+      "1 that are not finite (the first is of point 5)", true, Normals },
     { "normals of no unit length",
       [](vtkPolyData* c, Mapper*)
       {
@@ -121,29 +134,90 @@ std::vector<Case> GetCases()
       },
       "", true },
     { "a radius of zero", [](vtkPolyData* c, Mapper*) { Radii(c)->SetValue(7, 0.0f); },
-      "the first is 0 of point 7", true },
+      "the first is 0 of point 7", true, Radius },
     { "a negative radius", [](vtkPolyData* c, Mapper*) { Radii(c)->SetValue(7, -1.0f); },
-      "the first is -1 of point 7", true },
+      "the first is -1 of point 7", true, Radius },
     { "a NaN radius", [](vtkPolyData* c, Mapper*) { Radii(c)->SetValue(7, NaN); },
-      "1 of 2000 radii in array 'radius' are not positive and finite", true },
+      "1 of 2000 radii in array 'radius' are not positive and finite", true, Radius },
     { "all radii zero", [](vtkPolyData* c, Mapper*) { Radii(c)->Fill(0.0); },
-      "radii are estimated instead", true },
+      "radii are estimated instead", true, Radius },
     { "a huge radius", [](vtkPolyData* c, Mapper*) { Radii(c)->SetValue(7, 1e30f); },
-      "larger than the whole cloud", true },
+      "larger than the whole cloud", true, Radius },
     { "an array that is not there", [](vtkPolyData*, Mapper* m) { m->SetRadiusArray("thickness"); },
-      "no point array 'thickness'", true },
+      "no point array 'thickness'", true, Radius },
     { "an array of normals as radii", [](vtkPolyData*, Mapper* m) { m->SetRadiusArray("Normals"); },
-      "values of 3 components", true },
+      "values of 3 components", true, Radius },
     { "too few radii", [](vtkPolyData* c, Mapper*) { Radii(c)->SetNumberOfTuples(10); },
-      "Array 'radius' has 10 values", true },
+      "Array 'radius' has 10 values", true, Radius },
     { "too few normals",
       [](vtkPolyData* c, Mapper*) { c->GetPointData()->GetNormals()->SetNumberOfTuples(10); },
-      "Array 'Normals' has 10 normals", true },
+      "Array 'Normals' has 10 normals", true, Normals },
     { "a radius larger than the cloud", [](vtkPolyData*, Mapper* m) { m->SetRadius(1e30); },
-      "The radius 1e+30 is larger than the whole cloud", true },
+      "The radius 1e+30 is larger than the whole cloud", true, Radius },
     { "all points hidden", [](vtkPolyData* c, Mapper*) { AddGhosts(c, 2000); }, "hidden", false },
     { "too few ghosts", [](vtkPolyData* c, Mapper*) { AddGhosts(c, 10); },
       "Array 'vtkGhostType' has 10 values for 2000 points", true },
+    { "radii that are names",
+      [](vtkPolyData* c, Mapper* m)
+      {
+        vtkNew<vtkStringArray> names;
+        names->SetName("names");
+        names->SetNumberOfValues(2000);
+        c->GetPointData()->AddArray(names);
+        m->SetRadiusArray("names");
+      },
+      "no point array 'names'", true, Radius },
+    { "normals and radii that are integers",
+      [](vtkPolyData* c, Mapper* m)
+      {
+        vtkNew<vtkIntArray> normals;
+        normals->SetNumberOfComponents(3);
+        vtkNew<vtkIntArray> radii;
+        radii->SetName("whole");
+        for (vtkIdType i = 0; i < c->GetNumberOfPoints(); ++i)
+        {
+          const double* x = c->GetPoint(i);
+          normals->InsertNextTuple3(100.0 * x[0], 100.0 * x[1], 100.0 * x[2]);
+          radii->InsertNextValue(1);
+        }
+        c->GetPointData()->SetNormals(normals);
+        c->GetPointData()->AddArray(radii);
+        m->SetRadiusArray("whole");
+        m->SetRadiusScale(0.07);
+      },
+      "", true },
+    { "a point on the near plane and one behind the eye",
+      [](vtkPolyData* c, Mapper*)
+      {
+        c->GetPoints()->SetPoint(0, 1.5, 0.0, 7.99);
+        c->GetPoints()->SetPoint(1, 1.5, 0.0, 20.0);
+      },
+      "", true },
+    { "scalars that are too few",
+      [](vtkPolyData* c, Mapper*)
+      {
+        vtkNew<vtkFloatArray> few;
+        few->SetName("few");
+        few->InsertNextValue(0.5f);
+        c->GetPointData()->SetScalars(few);
+      },
+      "1 colours for 2000 points", true },
+    { "a vertex attribute",
+      [](vtkPolyData*, Mapper* m)
+      { m->MapDataArrayToVertexAttribute("weight", "radius", vtkDataObject::POINT, -1); },
+      "'radius' is mapped to a vertex attribute", true },
+    { "a tuple of field data that is not there",
+      [](vtkPolyData* c, Mapper* m)
+      {
+        vtkNew<vtkFloatArray> field;
+        field->SetName("field");
+        field->InsertNextValue(0.5f);
+        c->GetFieldData()->AddArray(field);
+        m->SetScalarModeToUseFieldData();
+        m->SelectColorArray("field");
+        m->SetFieldDataTupleId(3);
+      },
+      "FieldDataTupleId is 3", true },
     { "the eye amid the points",
       [](vtkPolyData* c, Mapper*)
       {
@@ -158,7 +232,7 @@ std::vector<Case> GetCases()
 }
 
 /// Pixels of the surface buffer with a surface.
-int CountCovered(vtkPullPushMapper* mapper)
+int CountCovered(vtkPointSurfaceMapper* mapper)
 {
   vtkNew<vtkImageData> buffer;
   if (!mapper->ReadSurfaceBuffer(buffer))
@@ -174,17 +248,17 @@ int CountCovered(vtkPullPushMapper* mapper)
   return covered;
 }
 
-void Try(const Case& test)
+void Try(const Case& test, const MapperClass& mapperClass)
 {
-  std::cout << "---- " << test.Name << std::endl;
-  vtkNew<vtkPullPushMapper> good;
+  std::cout << "---- " << mapperClass.Name << ": " << test.Name << std::endl;
+  auto good = mapperClass.Make();
   good->SetInputData(MakeSphereCloud(2000));
   vtkNew<vtkActor> goodActor;
   goodActor->SetMapper(good);
   goodActor->SetPosition(1.5, 0.0, 0.0);
 
   vtkSmartPointer<vtkPolyData> cloud = MakeSphereCloud(2000);
-  vtkNew<vtkPullPushMapper> bad;
+  auto bad = mapperClass.Make();
   test.Spoil(cloud, bad);
   bad->SetInputData(cloud);
   vtkNew<vtkTest::ErrorObserver> observer;
@@ -208,7 +282,9 @@ void Try(const Case& test)
 
   const std::string message = observer->GetWarningMessage();
   check(!observer->GetError(), "no error");
-  if (test.Message.empty())
+  const bool concerns =
+    (test.Of != Normals || mapperClass.UsesNormals) && (test.Of != Radius || mapperClass.UsesRadii);
+  if (test.Message.empty() || !concerns)
   {
     check(!observer->GetWarning(), "no warning " + message);
   }
@@ -228,12 +304,12 @@ void Try(const Case& test)
 }
 
 /// Estimates of normals and radii report progress through the mapper, which can stop them.
-void TryAbort()
+void TryAbort(const MapperClass& mapperClass)
 {
-  std::cout << "---- estimates, aborted" << std::endl;
+  std::cout << "---- " << mapperClass.Name << ": estimates, aborted" << std::endl;
   vtkSmartPointer<vtkPolyData> cloud = MakeSphereCloud(2000);
   cloud->GetPointData()->Initialize();
-  vtkNew<vtkPullPushMapper> mapper;
+  auto mapper = mapperClass.Make();
   mapper->SetInputData(cloud);
   vtkNew<vtkTest::ErrorObserver> observer;
   mapper->AddObserver(vtkCommand::WarningEvent, observer);
@@ -247,7 +323,7 @@ void TryAbort()
       algorithm->AbortExecuteOn();
     }
   } aborter;
-  mapper->AddObserver(
+  const unsigned long tag = mapper->AddObserver(
     vtkCommand::ProgressEvent, &aborter, &std::remove_reference<decltype(aborter)>::type::Abort);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
@@ -261,16 +337,22 @@ void TryAbort()
       aborter.Texts.find("Estimating radii") != std::string::npos,
     "progress is reported: " + aborter.Texts);
   check(observer->GetWarningMessage().find("aborted") != std::string::npos, "the warning says so");
+  observer->Clear();
+  mapper->RemoveObserver(tag);
+  window->Render();
+  check(!observer->GetWarning(), "the next frame is not aborted");
+  check.AtLeast(CountCovered(mapper), 800, "and draws, in pixels");
 }
 
 struct Window
 {
-  vtkNew<vtkPullPushMapper> Mapper;
+  vtkSmartPointer<vtkPointSurfaceMapper> Mapper;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> RenderWindow;
 
-  explicit Window(vtkPolyData* cloud)
+  Window(vtkPolyData* cloud, const MapperClass& mapperClass)
+    : Mapper(mapperClass.Make())
   {
     this->Mapper->SetInputData(cloud);
     this->Mapper->SetBackendToOpenGL(); // what it leaves behind is most
@@ -283,11 +365,11 @@ struct Window
   }
 };
 
-void TryWindows()
+void TryWindows(const MapperClass& mapperClass)
 {
-  std::cout << "---- windows" << std::endl;
+  std::cout << "---- " << mapperClass.Name << ": windows" << std::endl;
   vtkSmartPointer<vtkPolyData> cloud = MakeSphereCloud(2000);
-  Window window(cloud);
+  Window window(cloud, mapperClass);
   window.Renderer->SetViewport(0.0, 0.0, 0.0, 1.0);
   window.RenderWindow->Render();
   check(window.Mapper->GetLastFrameReconstructions() == 0, "a viewport of no width draws nothing");
@@ -297,13 +379,13 @@ void TryWindows()
   check.AtLeast(drawn, 800, "and with a width it draws the cloud, in pixels");
 
   // a mapper of another window is destroyed while this window's context is current
-  Window other(cloud);
+  Window other(cloud, mapperClass);
   other.RenderWindow->Render();
   window.RenderWindow->Render();
-  vtkNew<vtkPullPushMapper> replacement;
+  auto replacement = mapperClass.Make();
   replacement->SetInputData(cloud);
   {
-    Window brief(cloud);
+    Window brief(cloud, mapperClass);
     brief.RenderWindow->Render();
     window.RenderWindow->MakeCurrent();
     brief.Actor->SetMapper(replacement);
@@ -313,13 +395,30 @@ void TryWindows()
   check(CountCovered(window.Mapper) == drawn, "the end of another window's mapper harms nothing");
 }
 
-/// Normals and radii are estimated once for the same points, whatever else changes.
-void TryEstimates()
+/// More samples than a machine has memory for are lowered.
+void TrySupersampling(const MapperClass& mapperClass)
 {
-  std::cout << "---- estimates" << std::endl;
+  std::cout << "---- " << mapperClass.Name << ": a wide window, supersampled" << std::endl;
+  Window window(MakeSphereCloud(2000), mapperClass);
+  window.Mapper->SetSupersampling(4);
+  window.Renderer->ResetCamera();
+  window.Renderer->GetActiveCamera()->Zoom(0.05); // few pixels to work on
+  window.RenderWindow->SetSize(4000, 1000);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  window.Mapper->AddObserver(vtkCommand::WarningEvent, observer);
+  window.RenderWindow->Render();
+  check(observer->GetWarningMessage().find("4000 x 1000") != std::string::npos,
+    "the warning names the viewport: " + observer->GetWarningMessage());
+  check(CountCovered(window.Mapper) > 0, "it is drawn all the same");
+}
+
+/// Normals and radii are estimated once for the same points, whatever else changes.
+void TryEstimates(const MapperClass& mapperClass)
+{
+  std::cout << "---- " << mapperClass.Name << ": estimates" << std::endl;
   vtkSmartPointer<vtkPolyData> cloud = MakeSphereCloud(2000);
   cloud->GetPointData()->Initialize();
-  Window window(cloud);
+  Window window(cloud, mapperClass);
   struct
   {
     int Count = 0;
@@ -351,12 +450,19 @@ void TryEstimates()
 
 int TestHardInput(int, char*[])
 {
-  TryWindows();
-  TryEstimates();
-  TryAbort();
-  for (const Case& test : GetCases())
+  for (const MapperClass& mapperClass : GetMapperClasses())
   {
-    Try(test);
+    TryWindows(mapperClass);
+    if (mapperClass.UsesNormals && mapperClass.UsesRadii)
+    {
+      TryEstimates(mapperClass);
+      TryAbort(mapperClass);
+    }
+    TrySupersampling(mapperClass);
+    for (const Case& test : GetCases())
+    {
+      Try(test, mapperClass);
+    }
   }
   return check.GetResult();
 }
