@@ -4,7 +4,7 @@
 import argparse
 import sys
 
-from . import demo
+from . import demo, info, render
 from .readers import UnreadableFile
 
 WRONG_USE = 2
@@ -21,11 +21,17 @@ class _Parser(argparse.ArgumentParser):
 def main():
     parser = _Parser(prog="pointsurface", description="Point clouds drawn as closed, lit surfaces, with no mesh.")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    demo_parser = commands.add_parser("demo", help="draw a file from points, and its mesh beside it")
-    demo.add_arguments(demo_parser)
+    for name, command, explanation in (
+        ("render", render, "draw a file's points into a picture"),
+        ("info", info, "tell what a file holds"),
+        ("demo", demo, "draw a file from points, and its mesh beside it"),
+    ):
+        command_parser = commands.add_parser(name, help=explanation, description=command.__doc__)
+        command.add_arguments(command_parser)
+        command_parser.set_defaults(run=command.run)
     arguments = parser.parse_args()
     try:
-        demo.run(arguments)
+        arguments.run(arguments)
     except UnreadableFile as error:
         print(f"{parser.prog}: {error}", file=sys.stderr)
         return WRONG_USE

@@ -18,12 +18,8 @@ from typing import Any
 import numpy as np
 import pyvista as pv
 
-import pointsurface as ps
-
-#: The names of the mappers, as ``add_point_surface`` takes them.
-METHODS = {
-    "pull-push": "vtkPullPushMapper",
-}
+from . import vtkIsosurfacePoints, vtkPointNormals, vtkPointSpacing
+from .methods import METHODS
 
 
 def add_point_surface(
@@ -46,7 +42,7 @@ def add_point_surface(
         The points, or an array of their coordinates (n x 3), used without a copy where VTK allows. Normals, if
         ``cloud.point_data.active_normals`` has none, and radii are estimated once.
     method : str, default: "pull-push"
-        How the surface is made: a key of ``METHODS``.
+        How the surface is made: a key of ``pointsurface.methods.METHODS``.
     radius : float or str, optional
         The radius of all points in the units of their coordinates, or the name of a point array. Default: the array
         ``"radius"`` if there is one, else an estimate.
@@ -85,7 +81,7 @@ def add_point_surface(
     cloud = pv.wrap(cloud)
     if cloud.n_points == 0:
         raise ValueError("the cloud has no points")
-    mapper = getattr(ps, METHODS[method])()
+    mapper = METHODS[method]()
     if isinstance(radius, str):
         if radius not in cloud.point_data:
             raise ValueError(f"the points have no array {radius!r} of radii; they have {cloud.point_data.keys()}")
@@ -135,7 +131,7 @@ class PointsAccessor:
         >>> bool(pv.Sphere().point_surface.radii()["radius"].min() > 0)
         True
         """
-        spacing = ps.vtkPointSpacing()
+        spacing = vtkPointSpacing()
         spacing.SetNumberOfNeighbors(neighbors)
         return _run(spacing, self._cloud)
 
@@ -159,7 +155,7 @@ class PointsAccessor:
         >>> pv.PolyData(pv.Sphere().points).point_surface.normals().point_data.active_normals.shape
         (842, 3)
         """
-        estimate = ps.vtkPointNormals()
+        estimate = vtkPointNormals()
         estimate.SetNumberOfNeighbors(neighbors)
         return _run(estimate, self._cloud)
 
@@ -192,7 +188,7 @@ class VolumeAccessor:
         >>> volume.point_surface.isosurface(150.0).n_cells
         0
         """
-        filter_ = ps.vtkIsosurfacePoints()
+        filter_ = vtkIsosurfacePoints()
         for i, isovalue in enumerate(np.atleast_1d(isovalues)):
             filter_.SetValue(i, float(isovalue))
         return _run(filter_, self._volume)

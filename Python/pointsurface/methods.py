@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The mappers by the names that a user types."""
+
+from . import vtkPullPushMapper
+
+METHODS = {
+    "pull-push": vtkPullPushMapper,
+}
