@@ -12,6 +12,7 @@
 #include "vtkPointSpacing.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSamplingDistance.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -107,6 +108,10 @@ std::vector<std::string> vtkDrawablePoints::Build(
   if (needs.Radii && this->NumberOfDrawnPoints > 0)
   {
     this->SelectRadii(input, source, caller);
+  }
+  if (needs.SamplingDistance && this->NumberOfDrawnPoints > 0)
+  {
+    this->SelectSamplingDistance(source, caller);
   }
   return this->Remarks;
 }
@@ -479,4 +484,22 @@ void vtkDrawablePoints::EstimateRadii(vtkAlgorithm* caller)
   {
     this->MeanRadius += this->Radii->GetValue(id) / this->Radii->GetNumberOfTuples();
   }
+}
+
+void vtkDrawablePoints::SelectSamplingDistance(const RadiusSource& source, vtkAlgorithm* caller)
+{
+  double distance = source.Radius;
+  if (!(distance > 0.0))
+  {
+    caller->SetProgressText("Estimating the sampling distance");
+    distance = vtkSamplingDistance(
+      this->Cloud->GetPoints(), this->DrawnIds, source.SamplingQuantile, caller);
+    caller->SetProgressText(nullptr);
+    if (caller->GetAbortExecute())
+    {
+      this->Say("The estimate of the sampling distance was aborted; single pixels are drawn. Set a "
+                "radius.");
+    }
+  }
+  this->LargestRadius = this->MeanRadius = distance;
 }

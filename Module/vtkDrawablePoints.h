@@ -32,12 +32,20 @@ class vtkDrawablePoints
 public:
   /**
    * Where radii come from: the array named here, else `Radius` if over 0, else an array "radius",
-   * else vtkPointSpacing.
+   * else vtkPointSpacing. Where radii are not needed but a sampling distance is, that stands for
+   * all of them: `Radius` if over 0, else the one of this quantile (vtkSamplingDistance).
    */
   struct RadiusSource
   {
     std::string Array;
     double Radius = 0.0;
+    double SamplingQuantile = -1.0;
+
+    bool operator==(const RadiusSource& other) const
+    {
+      return this->Array == other.Array && this->Radius == other.Radius &&
+        this->SamplingQuantile == other.SamplingQuantile;
+    }
   };
 
   /**
@@ -47,6 +55,7 @@ public:
   {
     bool Normals = true;
     bool Radii = true;
+    bool SamplingDistance = false;
   };
 
   /**
@@ -107,6 +116,7 @@ private:
   void RepairRadii(vtkDataArray* radii);
   void EstimateNormals(vtkAlgorithm* caller);
   void EstimateRadii(vtkAlgorithm* caller);
+  void SelectSamplingDistance(const RadiusSource& source, vtkAlgorithm* caller);
   double GetDiagonal() const;
   void Say(const std::string& line) { this->Remarks.push_back(line); }
 

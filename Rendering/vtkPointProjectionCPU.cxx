@@ -288,8 +288,8 @@ vtkPointProjectionCPU::Transform vtkPointProjectionCPU::GetTransform(
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkPointProjectionCPU::Draw(
-  const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options, vtkSurfaceImage& image)
+vtkIdType vtkPointProjectionCPU::Draw(const vtkPointSurfaceView& view,
+  const vtkPointProjectionOptions& options, vtkSurfaceImage& image, vtkSurfaceImage* nearest)
 {
   const size_t size = static_cast<size_t>(view.Rectangle[2]) * view.Rectangle[3];
   if (this->NearestSize < size)
@@ -306,8 +306,12 @@ vtkIdType vtkPointProjectionCPU::Draw(
       });
   }
   const Transform transform = this->GetTransform(view);
-  this->FindVisiblePoints(transform, view.Ranges);
-  this->FetchVisiblePoints(transform, options, image);
+  if (nearest)
+  {
+    this->SetLimits(*nearest, options.DepthTolerance);
+  }
+  this->FindVisiblePoints(transform, view.Ranges, nearest != nullptr);
+  this->FetchVisiblePoints(transform, options, nearest != nullptr, image);
   vtkIdType drawn = 0;
   for (const auto& range : view.Ranges)
   {
@@ -316,8 +320,23 @@ vtkIdType vtkPointProjectionCPU::Draw(
   return drawn;
 }
 
+void vtkPointProjectionCPU::SetLimits(vtkSurfaceImage& nearest, float tolerance)
+{
+  const vtkSurfaceImage::Rectangle& r = nearest.GetRectangle();
+  this->Limits.clear();
+  for (int y = r[1]; y < r[3]; ++y)
+  {
+    const float* radii = nearest.GetRow(y, vtkSurfaceImage::Radius);
+    const float* depths = nearest.GetRow(y, vtkSurfaceImage::IntervalX);
+    for (int x = r[0]; x < r[2]; ++x)
+    {
+      this->Limits.push_back(radii[x] > 0.0f ? depths[x] + tolerance : -VTK_FLOAT_MAX);
+    }
+  }
+}
+
 void vtkPointProjectionCPU::FindVisiblePoints(
-  const Transform& transform, const std::vector<std::array<vtkIdType, 2>>& ranges)
+  const Transform& transform, const std::vector<std::array<vtkIdType, 2>>& ranges, bool farthest)
 {
   std::vector<std::array<vtkIdType, 2>> blocks; // of at most BlockSize points of one range
   for (const auto& range : ranges)
@@ -362,7 +381,11 @@ void vtkPointProjectionCPU::FindVisiblePoints(
       {
         const int i = list[k];
         const auto id = static_cast<unsigned int>(ids ? ids[first + i] : first + i);
-        const std::uint64_t key = MakeKey(depths[i], id);
+        if (farthest && depths[i] > this->Limits[pixels[i]])
+        {
+          continue;
+        }
+        const std::uint64_t key = MakeKey(farthest ? -depths[i] : depths[i], id);
         std::atomic<std::uint64_t>& nearest = this->Nearest[pixels[i]];
         std::uint64_t old = nearest.load(std::memory_order_relaxed);
         while (key < old && !nearest.compare_exchange_weak(old, key, std::memory_order_relaxed))
@@ -375,8 +398,8 @@ void vtkPointProjectionCPU::FindVisiblePoints(
 }
 
 //------------------------------------------------------------------------------
-void vtkPointProjectionCPU::FetchVisiblePoints(
-  const Transform& transform, const vtkPointProjectionOptions& options, vtkSurfaceImage& image)
+void vtkPointProjectionCPU::FetchVisiblePoints(const Transform& transform,
+  const vtkPointProjectionOptions& options, bool farthest, vtkSurfaceImage& image)
 {
   const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
   const size_t width = r[2] - r[0];
@@ -404,7 +427,9 @@ void vtkPointProjectionCPU::FetchVisiblePoints(
           {
             this->Prefetch(GetId(visible[i + FetchAhead].second));
           }
-          this->FetchPoint(transform, options, visible[i].second, visible[i].first, y, image);
+          const std::uint64_t key = visible[i].second;
+          const float depth = farthest ? -GetDepth(key) : GetDepth(key);
+          this->FetchPoint(transform, options, GetId(key), depth, visible[i].first, y, image);
         }
       }
     });
@@ -426,10 +451,8 @@ void vtkPointProjectionCPU::Prefetch(size_t id) const
 }
 
 void vtkPointProjectionCPU::FetchPoint(const Transform& t, const vtkPointProjectionOptions& options,
-  std::uint64_t key, int x, int y, vtkSurfaceImage& image) const
+  unsigned int id, float depth, int x, int y, vtkSurfaceImage& image) const
 {
-  const unsigned int id = GetId(key);
-  const float depth = GetDepth(key);
   const float none[3] = { 0.0f, 0.0f, 0.0f };
   const float* n = this->Normals ? this->Normals + 3 * static_cast<size_t>(id) : none;
   float normal[3];

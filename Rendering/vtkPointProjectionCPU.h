@@ -49,10 +49,12 @@ public:
   /**
    * Draws the points of the view's ranges into `image`, which is allocated for the view, with the
    * layer Color if there are colours. `view` is one whose MCVC is of the points' own coordinates.
-   * Returns the number of points gone through.
+   * With `nearest`, the result of such a run with centre depths, a pixel gets the farthest point
+   * within the options' depth tolerance behind its nearest one. Returns the number of points gone
+   * through.
    */
   vtkIdType Draw(const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
-    vtkSurfaceImage& image);
+    vtkSurfaceImage& image, vtkSurfaceImage* nearest = nullptr);
 
   struct Transform; ///< the view in single precision, for the points about the origin
 
@@ -61,12 +63,13 @@ private:
   void operator=(const vtkPointProjectionCPU&) = delete;
 
   Transform GetTransform(const vtkPointSurfaceView& view) const;
+  void SetLimits(vtkSurfaceImage& nearest, float tolerance);
   void FindVisiblePoints(
-    const Transform& transform, const std::vector<std::array<vtkIdType, 2>>& ranges);
-  void FetchVisiblePoints(
-    const Transform& transform, const vtkPointProjectionOptions& options, vtkSurfaceImage& image);
+    const Transform& transform, const std::vector<std::array<vtkIdType, 2>>& ranges, bool farthest);
+  void FetchVisiblePoints(const Transform& transform, const vtkPointProjectionOptions& options,
+    bool farthest, vtkSurfaceImage& image);
   void FetchPoint(const Transform& transform, const vtkPointProjectionOptions& options,
-    std::uint64_t key, int x, int y, vtkSurfaceImage& image) const;
+    unsigned int id, float depth, int x, int y, vtkSurfaceImage& image) const;
   void Prefetch(size_t id) const;
   std::array<float, 3> GetPosition(size_t id) const; // about the origin
   std::array<float, 4> GetColor(size_t id) const;
@@ -88,6 +91,7 @@ private:
   // vtkPointProjectionCPU.cxx; all empty between two runs.
   std::unique_ptr<std::atomic<std::uint64_t>[]> Nearest;
   size_t NearestSize = 0;
+  std::vector<float> Limits; // of each pixel, the largest depth where the farthest are looked for
 };
 
 #endif

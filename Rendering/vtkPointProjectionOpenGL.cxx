@@ -69,7 +69,7 @@ void vtkPointProjectionOpenGL::ReleaseGraphicsResources(vtkWindow*)
 //------------------------------------------------------------------------------
 vtkIdType vtkPointProjectionOpenGL::Draw(vtkOpenGLRenderWindow* window, const Points& points,
   const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
-  vtkSurfaceTarget& target)
+  vtkSurfaceTarget& target, vtkSurfaceTarget* nearest)
 {
   vtkOpenGLState* state = window->GetState();
   target.BindForWriting(window);
@@ -77,8 +77,9 @@ vtkIdType vtkPointProjectionOpenGL::Draw(vtkOpenGLRenderWindow* window, const Po
   state->vtkglScissor(view.Rectangle[0], view.Rectangle[1], view.Rectangle[2], view.Rectangle[3]);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_TRUE);
-  state->vtkglDepthFunc(GL_LESS); // of points at the same place the first one stays
-  target.Clear();
+  // of points at the same depth the first one stays
+  state->vtkglDepthFunc(nearest ? GL_GREATER : GL_LESS);
+  target.Clear(nearest ? 0.0f : 1.0f);
 
   const std::string fragmentShader = "//VTK::System::Dec\n" +
     vtkSurfaceTarget::GetOutputDeclarations(target.GetLayers()) + vtkPointProjectionFS;
@@ -90,10 +91,20 @@ vtkIdType vtkPointProjectionOpenGL::Draw(vtkOpenGLRenderWindow* window, const Po
   }
   this->BindAttributes(program, points);
   this->SetUniforms(program, points, view, options);
+  program->SetUniformi("onlyFarthest", nearest != nullptr);
+  if (nearest)
+  {
+    nearest->Activate();
+    nearest->SetSamplers(program, "nearest");
+  }
 
   state->vtkglPointSize(1.0f);
   const vtkIdType drawn = this->DrawRanges(view);
   this->VertexArray->Release();
+  if (nearest)
+  {
+    nearest->Deactivate();
+  }
   state->vtkglDisable(GL_DEPTH_TEST);
   return drawn;
 }
@@ -166,6 +177,7 @@ void vtkPointProjectionOpenGL::SetUniforms(vtkShaderProgram* program, const Poin
   program->SetUniform2f("targetSize", size);
   program->SetUniformi("subpixelCenters", options.SubpixelCenters);
   program->SetUniformi("centerDepths", options.CenterDepths);
+  program->SetUniformf("depthTolerance", options.DepthTolerance);
 
   float planes[6][4];
   for (int i = 0; i < 24; ++i)

@@ -58,11 +58,13 @@ public:
 
   /**
    * Draws the points of the view's ranges into `target`, which has the layers Shape and Interval at
-   * least, and a depth buffer. Returns the number of points sent.
+   * least, and a depth buffer. With `nearest`, the result of such a run with centre depths, a pixel
+   * gets the farthest point within the options' depth tolerance behind its nearest one. Returns the
+   * number of points sent.
    */
   vtkIdType Draw(vtkOpenGLRenderWindow* window, const Points& points,
     const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
-    vtkSurfaceTarget& target);
+    vtkSurfaceTarget& target, vtkSurfaceTarget* nearest = nullptr);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

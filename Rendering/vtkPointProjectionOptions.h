@@ -12,6 +12,9 @@ struct vtkPointProjectionOptions
   bool SubpixelCenters = false;
   /// Depth is the centre's depth and half of the span around it, not the least and the largest one.
   bool CenterDepths = false;
+  /// How far behind the nearest point the farthest one of a pixel may be, in eye units, where these
+  /// are drawn.
+  float DepthTolerance = 0.0f;
 };
 
 #endif

@@ -115,8 +115,7 @@ public:
   bool IsUpToDate(vtkPolyData* input, const vtkDrawablePoints::RadiusSource& source) const
   {
     return this->PointsInput == input && this->PointsInputTime == input->GetMTime() &&
-      this->PointsRadiusSource.Array == source.Array &&
-      this->PointsRadiusSource.Radius == source.Radius;
+      this->PointsRadiusSource == source;
   }
 
   SurfaceBuffer* Find(const vtkPointSurfaceView& view)
@@ -256,6 +255,7 @@ void vtkPointSurfaceMapper::UpdateDrawablePoints()
   vtkDrawablePoints::RadiusSource source;
   source.Array = this->RadiusArray ? this->RadiusArray : "";
   source.Radius = this->Radius;
+  source.SamplingQuantile = this->GetNeededSamplingQuantile();
   if (this->Internals->IsUpToDate(input, source))
   {
     return;
@@ -268,6 +268,7 @@ void vtkPointSurfaceMapper::UpdateDrawablePoints()
   vtkDrawablePoints::Needs needs;
   needs.Normals = this->NeedsNormals();
   needs.Radii = this->NeedsRadii();
+  needs.SamplingDistance = source.SamplingQuantile >= 0.0;
   for (const std::string& remark : this->Internals->Points.Build(input, needs, source, this))
   {
     vtkWarningMacro(<< remark);
@@ -768,7 +769,7 @@ void vtkPointSurfaceMapper::FindOrMakeSurfaceBuffer(
 
 void vtkPointSurfaceMapper::ProjectPoints(vtkOpenGLRenderWindow* window,
   const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
-  const vtkSurfaceTarget& surface, vtkSurfaceTarget& projected)
+  const vtkSurfaceTarget& surface, vtkSurfaceTarget& projected, vtkSurfaceTarget* farthest)
 {
   vtkInternals& internals = *this->Internals;
   internals.Timers[Project].Start();
@@ -788,19 +789,30 @@ void vtkPointSurfaceMapper::ProjectPoints(vtkOpenGLRenderWindow* window,
   points.UniformRadius = internals.Points.GetRadii() ? 0.0 : internals.Points.GetUniformRadius();
   points.HaveNormals = this->NeedsNormals();
   this->LastFramePointsDrawn += internals.Projection.Draw(window, points, view, options, projected);
+  if (farthest)
+  {
+    farthest->Allocate(window, view.Size[0], view.Size[1], layers, true);
+    internals.Projection.Draw(window, points, view, options, *farthest, &projected);
+  }
   internals.Timers[Project].Stop();
   internals.Timers[Reconstruct].Start();
 }
 
 void vtkPointSurfaceMapper::ProjectPoints(const vtkPointSurfaceView& view,
-  const vtkPointProjectionOptions& options, bool ids, bool colors, vtkSurfaceImage& projected)
+  const vtkPointProjectionOptions& options, bool ids, bool colors, vtkSurfaceImage& projected,
+  vtkSurfaceImage* farthest)
 {
   vtkInternals& internals = *this->Internals;
   const double start = vtkTimerLog::GetUniversalTime();
   const auto& r = view.Rectangle;
-  projected.Allocate(
-    view.Size[0], view.Size[1], { r[0], r[1], r[0] + r[2], r[1] + r[3] }, ids, colors);
+  const vtkSurfaceImage::Rectangle rectangle = { r[0], r[1], r[0] + r[2], r[1] + r[3] };
+  projected.Allocate(view.Size[0], view.Size[1], rectangle, ids, colors);
   this->LastFramePointsDrawn += internals.ProjectionCPU.Draw(view, options, projected);
+  if (farthest)
+  {
+    farthest->Allocate(view.Size[0], view.Size[1], rectangle, ids, colors);
+    internals.ProjectionCPU.Draw(view, options, *farthest, &projected);
+  }
   internals.ClockMilliseconds[Project] = 1e3 * (vtkTimerLog::GetUniversalTime() - start);
 }
 

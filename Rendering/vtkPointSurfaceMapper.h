@@ -210,6 +210,13 @@ protected:
   ///@}
 
   /**
+   * For a subclass that needs no radii but the sampling distance of the cloud, which then is the
+   * radius of all points: the quantile that vtkSamplingDistance estimates it by. Below 0, the
+   * default: it is not needed.
+   */
+  virtual double GetNeededSamplingQuantile() const { return -1.0; }
+
+  /**
    * Makes the surface buffer of `view` from the uploaded points: fills `surface`, whose layers are
    * allocated, within the view's rectangle. OpenGL's state is as a step needs it: no blending, no
    * depth test; the framebuffer is restored by the caller. Sets the levels and passes of the
@@ -232,13 +239,15 @@ protected:
 
   /**
    * Draws each point to at most one pixel of `projected`, for subclasses to start from. The target
-   * gets the layers Shape and Interval, and Id and Color where `surface` has them.
+   * gets the layers Shape and Interval, and Id and Color where `surface` has them. With `farthest`
+   * the points are drawn once more, to that: of each pixel the farthest point that lies within the
+   * options' depth tolerance behind the nearest one.
    */
   void ProjectPoints(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
     const vtkPointProjectionOptions& options, const vtkSurfaceTarget& surface,
-    vtkSurfaceTarget& projected);
+    vtkSurfaceTarget& projected, vtkSurfaceTarget* farthest = nullptr);
   void ProjectPoints(const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
-    bool ids, bool colors, vtkSurfaceImage& projected);
+    bool ids, bool colors, vtkSurfaceImage& projected, vtkSurfaceImage* farthest = nullptr);
 
   /**
    * The window of the last frame; nullptr before the first one.

@@ -40,6 +40,18 @@ void vtkPointSurfaceView::SetExtent(vtkMatrix4x4* modelToEye, const double bound
     nearest = std::min(nearest, -corners[c][2]);
     farthest = std::max(farthest, -corners[c][2]);
   }
+  double center[3];
+  this->Diagonal = 0.0;
+  for (int c = 0; c < 4; ++c)
+  {
+    this->Diagonal = std::max(
+      this->Diagonal, std::sqrt(vtkMath::Distance2BetweenPoints(corners[c], corners[7 - c])));
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    center[k] = 0.5 * (corners[0][k] + corners[7][k]);
+  }
+  this->CenterDistance = vtkMath::Norm(center);
   // the linear depth is a float of this range: keep the ends apart
   const double margin = 1e-4 * std::max(farthest - nearest, this->LargestRadius) + 1e-30;
   this->DepthRange = { nearest - margin, farthest + margin };

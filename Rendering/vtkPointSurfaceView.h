@@ -48,14 +48,16 @@ struct vtkPointSurfaceView
   double LargestRadius = 0.0;         ///< in eye units
   double MeanRadius = 0.0;            ///< in eye units
   double TypicalRadius = 0.0;         ///< in pixels, amid the cloud
+  double Diagonal = 0.0;              ///< of the cloud's bounding box, in eye units
+  double CenterDistance = 0.0;        ///< from the eye to that box's centre
 
   bool IsParallel() const { return this->VCDC[11] == 0.0; }
 
   /// The largest factor by which a matrix (row vectors) stretches an axis.
   static double GetLargestStretch(vtkMatrix4x4* matrix);
 
-  /// Sets what follows: the rectangle, the range of depth and the typical radius, from the bounds
-  /// of the cloud in model coordinates. All else is set.
+  /// Sets what follows, but for the largest and the mean radius, from the bounds of the cloud in
+  /// model coordinates. All else is set.
   void SetExtent(vtkMatrix4x4* modelToEye, const double bounds[6]);
 
   /// The rectangle in pixels of the viewport: x, y, width, height.

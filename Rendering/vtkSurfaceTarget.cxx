@@ -119,11 +119,10 @@ void vtkSurfaceTarget::BindForWriting(vtkOpenGLRenderWindow* window)
   window->GetState()->vtkglViewport(0, 0, this->Width, this->Height);
 }
 
-void vtkSurfaceTarget::Clear()
+void vtkSurfaceTarget::Clear(float depth)
 {
   const GLfloat zero[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   const GLuint none[4] = { 0, 0, 0, 0 };
-  const GLfloat farthest = 1.0f;
   for (size_t i = 0; i < this->Layers.size(); ++i)
   {
     if (IsInteger(this->Layers[i]))
@@ -135,7 +134,7 @@ void vtkSurfaceTarget::Clear()
       glClearBufferfv(GL_COLOR, static_cast<GLint>(i), zero);
     }
   }
-  glClearBufferfv(GL_DEPTH, 0, &farthest);
+  glClearBufferfv(GL_DEPTH, 0, &depth);
 }
 
 //------------------------------------------------------------------------------

@@ -59,10 +59,10 @@ public:
   void BindForWriting(vtkOpenGLRenderWindow* window);
 
   /**
-   * Sets all layers within the scissor rectangle to 0 and the depth buffer to 1. The target is
-   * bound for writing.
+   * Sets all layers within the scissor rectangle to 0 and the depth buffer to `depth`. The
+   * target is bound for writing.
    */
-  void Clear();
+  void Clear(float depth = 1.0f);
 
   ///@{
   /**

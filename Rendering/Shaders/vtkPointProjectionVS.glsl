@@ -19,6 +19,9 @@ uniform vec2 depthRange;     // eye depths between which the cloud lies
 uniform vec2 targetSize;     // in pixels
 uniform bool subpixelCenters;
 uniform bool centerDepths;   // see vtkPullFS.glsl
+uniform bool onlyFarthest;   // only points within the tolerance behind the nearest one of a pixel
+uniform float depthTolerance;
+uniform sampler2D nearestInterval;
 uniform int numberOfClippingPlanes;
 uniform vec4 clippingPlanes[6]; // in eye coordinates
 
@@ -67,6 +70,13 @@ void main()
   // The pixel is chosen here, not by the rasteriser with its own rounding.
   vec2 window = 0.5 * targetSize * (gl_Position.xy / gl_Position.w + 1.0);
   vec2 center = floor(window) + 0.5;
+  if (onlyFarthest &&
+    depth > texelFetch(nearestInterval, ivec2(floor(window)), 0).x + depthTolerance)
+  {
+    interval = vec4(0.0);
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    return;
+  }
   gl_Position.xy = (2.0 * center / targetSize - 1.0) * gl_Position.w;
   interval.xy = centerDepths ? vec2(depth, 0.0) : vec2(depth, depth + radius);
   interval.zw = subpixelCenters ? window - center : vec2(0.0);

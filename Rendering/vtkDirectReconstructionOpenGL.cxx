@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDirectReconstructionOpenGL.h"
+
+#include "vtkDirectCommon.h"
+#include "vtkDirectLoadFS.h"
+#include "vtkDirectMergeFS.h"
+#include "vtkDirectNormalsFS.h"
+#include "vtkDirectParameters.h"
+#include "vtkDirectSplatsFS.h"
+#include "vtkScreenPass.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace
+{
+void SetCommonUniforms(vtkShaderProgram* program, const vtkDirectParameters& parameters)
+{
+  program->SetUniform4f("eyeRay", parameters.EyeRay.data());
+  program->SetUniform4f("eyeRayStep", parameters.EyeRayStep.data());
+  program->SetUniform4f("cellToEye", parameters.CellToEye.data());
+  program->SetUniformf("shear", parameters.Shear);
+  program->SetUniformf("gamma", parameters.Gamma);
+}
+
+void DrawRectangle(vtkOpenGLRenderWindow* window, vtkScreenPass& pass,
+  const std::array<int, 4>& rectangle, const std::array<int, 2>& offset)
+{
+  pass.Draw(window, rectangle[0] + offset[0], rectangle[1] + offset[1], rectangle[2] - rectangle[0],
+    rectangle[3] - rectangle[1]);
+}
+}
+
+vtkDirectReconstructionOpenGL::vtkDirectReconstructionOpenGL() = default;
+vtkDirectReconstructionOpenGL::~vtkDirectReconstructionOpenGL() = default;
+
+//------------------------------------------------------------------------------
+void vtkDirectReconstructionOpenGL::Run(vtkOpenGLRenderWindow* window,
+  const vtkDirectParameters& parameters, vtkSurfaceTarget& nearest, vtkSurfaceTarget& farthest,
+  vtkSurfaceTarget& surface)
+{
+  this->Passes = 0;
+  this->Allocate(window, parameters, nearest.GetLayers());
+  this->Load(window, parameters, nearest, farthest);
+  this->FitNormals(window, parameters, 0);
+  for (int level = 1; level <= parameters.GetCoarsestLevel(); ++level)
+  {
+    this->Merge(window, parameters, level);
+    this->FitNormals(window, parameters, level);
+  }
+  this->DrawSplats(window, parameters, surface);
+}
+
+void vtkDirectReconstructionOpenGL::Allocate(
+  vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters, const Layers& layers)
+{
+  // the image buffer below, all others in a row above it
+  this->SplatOffsets = { { 0, 0 } };
+  int width = parameters.Levels[0].Width;
+  int height = parameters.Levels[0].Height;
+  int right = 0;
+  for (int level = 0; level <= parameters.GetCoarsestLevel(); ++level)
+  {
+    const auto& size = parameters.Levels[level];
+    if (static_cast<int>(this->Cells.size()) <= level)
+    {
+      this->Cells.emplace_back(new vtkSurfaceTarget);
+    }
+    this->Cells[level]->Allocate(window, size.Width, size.Height, layers);
+    if (level > 0)
+    {
+      this->SplatOffsets.push_back({ right, parameters.Levels[0].Height });
+      right += size.Width;
+      width = std::max(width, right);
+      height = std::max(height, parameters.Levels[0].Height + size.Height);
+    }
+  }
+  this->Splats.Allocate(window, width, height, layers);
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectReconstructionOpenGL::Load(vtkOpenGLRenderWindow* window,
+  const vtkDirectParameters& parameters, vtkSurfaceTarget& nearest, vtkSurfaceTarget& farthest)
+{
+  vtkScreenPass& pass = this->GetPass(LoadPass, nearest.GetLayers(), nearest.GetLayers());
+  vtkShaderProgram* program = pass.Ready(window);
+  if (!program)
+  {
+    return;
+  }
+  nearest.Activate();
+  nearest.SetSamplers(program, "nearest");
+  farthest.Activate();
+  farthest.SetSamplers(program, "farthest");
+  SetCommonUniforms(program, parameters);
+  this->Cells[0]->BindForWriting(window);
+  DrawRectangle(window, pass, parameters.Levels[0].Rectangle, { 0, 0 });
+  ++this->Passes;
+  farthest.Deactivate();
+  nearest.Deactivate();
+}
+
+void vtkDirectReconstructionOpenGL::Merge(
+  vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters, int level)
+{
+  vtkSurfaceTarget& fine = *this->Cells[level - 1];
+  vtkScreenPass& pass = this->GetPass(MergePass, fine.GetLayers(), fine.GetLayers());
+  vtkShaderProgram* program = pass.Ready(window);
+  if (!program)
+  {
+    return;
+  }
+  fine.Activate();
+  fine.SetSamplers(program, "fine");
+  this->Splats.Activate();
+  this->Splats.SetSamplers(program, "splat");
+  SetCommonUniforms(program, parameters);
+  const auto& r = parameters.Levels[level - 1].Rectangle;
+  program->SetUniform2i("fineBegin", r.data());
+  program->SetUniform2i("fineEnd", r.data() + 2);
+  program->SetUniform2i("splatOffset", this->SplatOffsets[level - 1].data());
+  program->SetUniformf("size", static_cast<float>(1 << level));
+  this->Cells[level]->BindForWriting(window);
+  DrawRectangle(window, pass, parameters.Levels[level].Rectangle, { 0, 0 });
+  ++this->Passes;
+  this->Splats.Deactivate();
+  fine.Deactivate();
+}
+
+void vtkDirectReconstructionOpenGL::FitNormals(
+  vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters, int level)
+{
+  vtkSurfaceTarget& cells = *this->Cells[level];
+  vtkScreenPass& pass = this->GetPass(NormalsPass, cells.GetLayers(), this->Splats.GetLayers());
+  vtkShaderProgram* program = pass.Ready(window);
+  if (!program)
+  {
+    return;
+  }
+  cells.Activate();
+  cells.SetSamplers(program, "in");
+  SetCommonUniforms(program, parameters);
+  const auto& r = parameters.Levels[level].Rectangle;
+  program->SetUniform2i("begin", r.data());
+  program->SetUniform2i("end", r.data() + 2);
+  program->SetUniform2i("splatOffset", this->SplatOffsets[level].data());
+  program->SetUniformf("size", static_cast<float>(1 << level));
+  program->SetUniformf("splatRadius", vtkDirectParameters::SplatRadius);
+  program->SetUniformi("enoughNeighbors", vtkDirectParameters::EnoughNeighbors);
+  program->SetUniformf("neighborDepth", vtkDirectParameters::NeighborDepth);
+  program->SetUniformi("adaptive", parameters.Options.AdaptiveResolution);
+  program->SetUniformi("coarsest", level == parameters.GetCoarsestLevel());
+  program->SetUniformi("parallel", parameters.ImageView.IsParallel());
+  program->SetUniformi("weighted", parameters.Options.WeightedNormals);
+  program->SetUniformi("reach", parameters.GetFitReach());
+  program->SetUniformf("fitRadius", vtkDirectParameters::FitRadius);
+  const float fitDepths[2] = { vtkDirectParameters::FitDepth, vtkDirectParameters::RefitDepth };
+  program->SetUniform2f("fitDepths", fitDepths);
+  this->Splats.BindForWriting(window);
+  DrawRectangle(window, pass, r, this->SplatOffsets[level]);
+  ++this->Passes;
+  cells.Deactivate();
+}
+
+void vtkDirectReconstructionOpenGL::DrawSplats(
+  vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters, vtkSurfaceTarget& surface)
+{
+  vtkScreenPass& pass = this->GetPass(SplatsPass, this->Splats.GetLayers(), surface.GetLayers());
+  vtkShaderProgram* program = pass.Ready(window);
+  if (!program)
+  {
+    return;
+  }
+  this->Splats.Activate();
+  this->Splats.SetSamplers(program, "in");
+  SetCommonUniforms(program, parameters);
+  const int count = parameters.GetCoarsestLevel() + 1;
+  program->SetUniformi("levels", count);
+  for (int level = 0; level < count; ++level)
+  {
+    const std::string index = "[" + std::to_string(level) + "]";
+    const auto& r = parameters.Levels[level].Rectangle;
+    program->SetUniform2i(("levelOffset" + index).c_str(), this->SplatOffsets[level].data());
+    program->SetUniform2i(("levelBegin" + index).c_str(), r.data());
+    program->SetUniform2i(("levelEnd" + index).c_str(), r.data() + 2);
+  }
+  program->SetUniform2f("pixelToCell", parameters.PixelToCell.data());
+  program->SetUniformi("planes", parameters.Options.PlaneSplats);
+  program->SetUniformf("leastWidth", vtkDirectParameters::LeastWidth);
+  program->SetUniformi("depthTest", parameters.Options.DepthTestInSplats);
+  surface.BindForWriting(window);
+  DrawRectangle(window, pass, parameters.Rectangle, { 0, 0 });
+  ++this->Passes;
+  this->Splats.Deactivate();
+}
+
+//------------------------------------------------------------------------------
+vtkScreenPass& vtkDirectReconstructionOpenGL::GetPass(
+  Kind kind, const Layers& input, const Layers& output)
+{
+  // the input's layers follow from the output's
+  std::unique_ptr<vtkScreenPass>& pass = this->Programs[kind][output];
+  if (!pass)
+  {
+    std::string text = "//VTK::System::Dec\n" + vtkSurfaceTarget::GetOutputDeclarations(output);
+    switch (kind)
+    {
+      case LoadPass:
+        text += vtkSurfaceTarget::GetInputDeclarations(input, "nearest");
+        text += vtkSurfaceTarget::GetInputDeclarations(input, "farthest");
+        text += std::string(vtkDirectCommon) + vtkDirectLoadFS;
+        break;
+      case MergePass:
+        text += vtkSurfaceTarget::GetInputDeclarations(input, "fine");
+        text += vtkSurfaceTarget::GetInputDeclarations(input, "splat");
+        text += std::string(vtkDirectCommon) + vtkDirectMergeFS;
+        break;
+      case NormalsPass:
+        text += vtkSurfaceTarget::GetInputDeclarations(input, "in");
+        text += std::string(vtkDirectCommon) + vtkDirectNormalsFS;
+        break;
+      default:
+        text += vtkSurfaceTarget::GetInputDeclarations(input, "in");
+        text += std::string(vtkDirectCommon) + vtkDirectSplatsFS;
+    }
+    pass.reset(new vtkScreenPass(text));
+  }
+  return *pass;
+}
+
+void vtkDirectReconstructionOpenGL::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (auto& cells : this->Cells)
+  {
+    cells->ReleaseGraphicsResources(window);
+  }
+  this->Splats.ReleaseGraphicsResources(window);
+  for (auto& programs : this->Programs)
+  {
+    for (auto& entry : programs)
+    {
+      entry.second->ReleaseGraphicsResources();
+    }
+  }
+}

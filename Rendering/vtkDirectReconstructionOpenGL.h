@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkDirectReconstructionOpenGL
+ * @brief   the steps from the nearest and the farthest points of the image buffer's cells to a
+ *          surface buffer
+ *
+ * Average, normals and splats (Kawata and Kanai, sections 3.2 to 3.4), and coarser levels of cells
+ * where points are sparse. What a level's splats are lies in one image, the levels side by side.
+ */
+#ifndef vtkDirectReconstructionOpenGL_h
+#define vtkDirectReconstructionOpenGL_h
+
+#include "vtkSurfaceTarget.h"
+
+#include <array>
+#include <map>
+#include <memory>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkScreenPass;
+class vtkShaderProgram;
+class vtkWindow;
+struct vtkDirectParameters;
+
+class vtkDirectReconstructionOpenGL
+{
+public:
+  vtkDirectReconstructionOpenGL();
+  ~vtkDirectReconstructionOpenGL();
+
+  /**
+   * Fills `surface` within the parameters' rectangle. The projected targets have sub-pixel centres
+   * and centre depths, and the layers Id and Color where `surface` has them.
+   */
+  void Run(vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters,
+    vtkSurfaceTarget& nearest, vtkSurfaceTarget& farthest, vtkSurfaceTarget& surface);
+
+  /**
+   * Passes over images in the last run.
+   */
+  int GetPasses() const { return this->Passes; }
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  vtkDirectReconstructionOpenGL(const vtkDirectReconstructionOpenGL&) = delete;
+  void operator=(const vtkDirectReconstructionOpenGL&) = delete;
+
+  using Layers = std::vector<vtkSurfaceTarget::Layer>;
+  enum Kind
+  {
+    LoadPass,
+    MergePass,
+    NormalsPass,
+    SplatsPass,
+    NumberOfKinds
+  };
+
+  void Allocate(
+    vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters, const Layers& layers);
+  void Load(vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters,
+    vtkSurfaceTarget& nearest, vtkSurfaceTarget& farthest);
+  void Merge(vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters, int level);
+  void FitNormals(vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters, int level);
+  void DrawSplats(vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters,
+    vtkSurfaceTarget& surface);
+  vtkScreenPass& GetPass(Kind kind, const Layers& input, const Layers& output);
+
+  std::vector<std::unique_ptr<vtkSurfaceTarget>> Cells; // of each level
+  vtkSurfaceTarget Splats;
+  std::vector<std::array<int, 2>> SplatOffsets; // of each level in Splats
+  std::map<Layers, std::unique_ptr<vtkScreenPass>> Programs[NumberOfKinds];
+  int Passes = 0;
+};
+
+#endif

@@ -1,0 +1,291 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Direct rendering of noisy, bare positions beside estimated normals and pull-push; and what its passes cost.
+
+    python3 Testing/Benchmarks/direct.py [--output [FILE]] [--quick]
+
+Views, light and truth are those of errors.py. Of the points nothing but the positions is given; the peers get their
+radius for nothing besides. The time to the first frame is from the points in memory until OpenGL has finished the
+frame, in a window in which a small cloud has been drawn before, so that windows are open and shaders compiled. PYTHONPATH
+must lead to the package pointsurface. The models lie in ../shared/data beside the project, or in the folder
+POINTSURFACE_SHARED_DATA.
+"""
+
+import argparse
+import os
+import sys
+import time
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersPoints import vtkPCANormalEstimation
+from vtkmodules.vtkRenderingCore import vtkPointGaussianMapper, vtkPolyDataMapper
+
+import errors
+from pointsurface import vtkDirectPointMapper, vtkPullPushMapper
+from pointsurface.metrics import SurfaceImage, compare
+from pointsurface.rendering import offscreen_window, read_color, renderer_string, write_whole
+from pointsurface.sampling import sample_by_area
+from pointsurface.timing import time_frames
+from pointsurface.truth import render_truth
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+MODELS = ("bunny", "igea", "armadillo")
+COUNT = 100_000
+NOISE = (0, 0.25, 0.5, 1)  # times the spacing, along the normal
+NEIGHBORS = (10, 20, 40)
+LARGE = 1_000_000
+STAGES = (("bunny", 556_051, 0.5), ("dragon", 3_609_600, 0))  # as many points as the paper's, noise
+SIZES = (512, 1024)
+FRAMES = 7
+DIRECT, NEAREST, EARLY = "direct", "direct, without pass 2", "direct, shaded before splatting"
+
+
+def pca(neighbors):
+    return f"PCA of {neighbors}, pull-push"
+
+
+def make_model(name, mesh, count, noise):
+    """Positions alone, moved along the normals of the mesh, and the radius that pull-push would like."""
+    cloud = sample_by_area(mesh, count)
+    spacing = vtk_to_numpy(cloud.GetPointData().GetArray("radius"))[0] / 2
+    normals = vtk_to_numpy(cloud.GetPointData().GetNormals()).astype(float)
+    moved = vtk_to_numpy(cloud.GetPoints().GetData()) + normals * np.random.default_rng(1).normal(
+        scale=noise * spacing, size=(count, 1)
+    )
+    bare = vtkPolyData()
+    bare.SetPoints(vtkPoints())
+    bare.GetPoints().SetData(numpy_to_vtk(moved.astype(np.float32), deep=True))
+    return errors.Model(name, bare, mesh), errors.RADIUS * spacing
+
+
+def first_points(cloud, count=1000):
+    few = vtkPolyData()
+    few.SetPoints(vtkPoints())
+    few.GetPoints().SetData(numpy_to_vtk(vtk_to_numpy(cloud.GetPoints().GetData())[:count].copy(), deep=True))
+    return few
+
+
+def prepare(row, cloud, radius, eye):
+    """The mapper of a row, with all that has to be computed before its first frame."""
+    if row.startswith("direct"):
+        mapper = vtkDirectPointMapper()
+        mapper.SetFarthestPoints(row != NEAREST)
+        mapper.SetInputData(cloud)
+        return mapper
+    estimate = vtkPCANormalEstimation()
+    estimate.SetInputData(cloud)
+    estimate.SetSampleSize(int(row.split()[2].rstrip(",")))
+    estimate.SetNormalOrientationToPoint()
+    estimate.SetOrientationPoint(*eye)
+    estimate.Update()
+    mapper = vtkPullPushMapper()
+    mapper.SetRadius(radius)
+    mapper.SetInputData(estimate.GetOutput())
+    return mapper
+
+
+def draw_first_frame(row, model, radius):
+    """A SurfaceImage by the mapper of a row, its scene, and the seconds to the first frame."""
+    scene = errors.Scene(model, "whole")
+    eye = scene.camera.GetPosition()
+    scene.draw(prepare(row, first_points(model.cloud), radius, eye), scene.lit)
+    scene.window.WaitForCompletion()
+    start = time.perf_counter()
+    mapper = prepare(row, model.cloud, radius, eye)
+    scene.actor.SetMapper(mapper)
+    scene.window.Render()
+    scene.window.WaitForCompletion()
+    seconds = time.perf_counter() - start
+    color = read_color(scene.window)
+    buffer = vtkImageData()
+    mapper.ReadSurfaceBuffer(buffer)
+    data = buffer.GetPointData()
+    width, height = errors.SIZE
+    normals = vtk_to_numpy(data.GetArray("Normals")).reshape(height, width, 3).astype(float)
+    depth = vtk_to_numpy(data.GetArray("Depth")).reshape(height, width).astype(float)
+    return SurfaceImage(color, normals, depth), scene, seconds, mapper
+
+
+def measure(row, model, radius, truth):
+    """The errors of a row, and its time to the first frame."""
+    image, scene, seconds, mapper = draw_first_frame(row, model, radius)
+    if truth is None:
+        truth = render_truth(model.mesh, scene.renderer, scene.lit, errors.SIZE, errors.TRUTH_SUPERSAMPLING)
+    diagonal = np.linalg.norm(np.ptp(np.array(model.mesh.GetBounds()).reshape(3, 2), axis=1))
+    found = compare(image, truth, diagonal)
+    found["seconds"] = seconds
+    if row == DIRECT:
+        found["early"] = compare(shade_early(scene, mapper, image), truth, diagonal)["psnr"]
+    return found, truth
+
+
+def shade_early(scene, mapper, image):
+    """What comes of shading the image buffer and splatting its colours, as the paper does: the same surface, drawn at
+    the image buffer's resolution, and that picture brought to the surface buffer's by a Gaussian of half a cell."""
+    cells = mapper.GetLastFrameImageSize()
+    scene.window.SetSize(*cells)
+    coarse = read_color(scene.window)
+    scene.window.SetSize(*errors.SIZE)
+    weights = []
+    for count, size in zip(cells, errors.SIZE):
+        place = (np.arange(size) + 0.5) * count / size
+        kernel = np.exp(-2 * (place[:, None] - np.arange(count) - 0.5) ** 2)
+        weights.append(kernel / kernel.sum(axis=1, keepdims=True))
+    fine = np.einsum("yj,jic,xi->yxc", weights[1], coarse, weights[0], optimize=True)
+    color = np.where(image.mask[..., None], fine, errors.BACKGROUND)
+    return SurfaceImage(color, image.normals, image.depth)
+
+
+def noise_tables(models, noises, progress):
+    lines = []
+    rows = (DIRECT, NEAREST, *map(pca, NEIGHBORS))
+    for name in models:
+        mesh = errors.read_mesh(name)
+        lines += [f"### {name}", "", "| " + " | ".join(("normals, mean, degrees; PSNR, dB", *map(str, noises))) + " |"]
+        lines.append("| --- " * (len(noises) + 1) + "|")
+        cells = {row: [] for row in (*rows, EARLY)}
+        truth = None
+        for noise in noises:
+            model, radius = make_model(name, mesh, COUNT, noise)
+            for row in rows:
+                found, truth = measure(row, model, radius, truth)
+                cells[row].append(f"{found['normal_mean']:.2f}; {found['psnr']:.1f}")
+                if row == DIRECT:
+                    cells[EARLY].append(f"{found['early']:.1f} dB")
+                progress(f"{name}, noise {noise}, {row}: {cells[row][-1]}, {found['seconds']:.2f} s")
+        lines += [f"| {row} | " + " | ".join(values) + " |" for row, values in cells.items()] + [""]
+    return lines
+
+
+def first_frame_table(noise, count, progress):
+    model, radius = make_model("bunny", errors.read_mesh("bunny"), count, noise)
+    lines = ["| | seconds to the first frame | times direct | normals, mean, degrees | PSNR, dB |", "| --- " * 5 + "|"]
+    truth = reference = None
+    for row in (DIRECT, NEAREST, *map(pca, NEIGHBORS)):
+        found, truth = measure(row, model, radius, truth)
+        reference = reference or found["seconds"]
+        lines.append(
+            f"| {row} | {found['seconds']:.2f} | {found['seconds'] / reference:.1f} | {found['normal_mean']:.2f} "
+            f"| {found['psnr']:.1f} |"
+        )
+        progress(lines[-1])
+    return lines
+
+
+def peers(model, radius, normals):
+    pull_push = vtkPullPushMapper()
+    pull_push.SetInputData(normals)
+    pull_push.SetRadius(radius)
+    yield "pull-push, normals given", pull_push
+    gaussian = vtkPointGaussianMapper()
+    gaussian.SetInputData(model.cloud)
+    gaussian.SetScaleFactor(radius)
+    gaussian.EmissiveOff()
+    gaussian.SetSplatShaderCode(errors.DISC)
+    gaussian.SetTriangleScale(1)
+    yield "vtkPointGaussianMapper, unlit", gaussian
+    vertices = errors.vtkVertexGlyphFilter()
+    vertices.SetInputData(model.cloud)
+    vertices.Update()
+    points = vtkPolyDataMapper()
+    points.SetInputData(vertices.GetOutput())
+    yield "points of OpenGL, unlit", points
+
+
+def time_direct(scene, window, mapper):
+    """Medians of the passes of the paper and of the frame, in milliseconds."""
+    time_frames(window, scene.renderer, 1, 2)
+    samples = []
+    for _ in range(FRAMES):
+        frame = time_frames(window, scene.renderer, 1, 0, mapper)
+        normals = mapper.GetLastFrameNormalsMilliseconds()
+        samples.append((frame["project"], normals, frame["reconstruct"] - normals, frame["shade"], frame["frame"]))
+    return np.median(samples, axis=0)
+
+
+def stage_table(stages, sizes, progress):
+    lines = [
+        "| | passes 1 and 2 | 3 and 4 | 5 | shading | frame |",
+        "| --- " * 6 + "|",
+    ]
+    for name, count, noise in stages:
+        mesh = errors.read_mesh(name)
+        model, radius = make_model(name, mesh, count, noise)
+        with_normals = vtkPolyData()
+        with_normals.SetPoints(model.cloud.GetPoints())
+        with_normals.GetPointData().SetNormals(sample_by_area(mesh, count).GetPointData().GetNormals())
+        for size in sizes:
+            scene = errors.Scene(model, "whole")
+            scene.actor.SetProperty(scene.lit)
+            window = offscreen_window(scene.renderer, (size, size))
+            direct = vtkDirectPointMapper()
+            direct.SetInputData(model.cloud)
+            scene.actor.SetMapper(direct)
+            times = time_direct(scene, window, direct)
+            label = f"{name}, {count:,} points, {size}x{size}"
+            lines.append(f"| {label}: direct | " + " | ".join(f"{t:.1f}" for t in times) + " |")
+            progress(lines[-1])
+            for peer, mapper in peers(model, radius, with_normals):
+                scene.actor.SetMapper(mapper)
+                frame = time_frames(window, scene.renderer, FRAMES, 2)["frame"]
+                lines.append(f"| {label}: {peer} | | | | | {frame:.1f} |")
+                progress(lines[-1])
+    return lines
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--output", nargs="?", const=os.path.join(HERE, "direct.md"), help="write a Markdown file")
+    parser.add_argument("--quick", action="store_true", help="one model, few points: whether this program works")
+    arguments = parser.parse_args()
+    models = [name for name in MODELS if errors.read_mesh(name) is not None]
+    if not models:
+        sys.exit("The models are not there: set POINTSURFACE_SHARED_DATA.")
+
+    def progress(text):
+        print(text, file=sys.stderr, flush=True)
+
+    quick = arguments.quick
+    first = first_frame_table(0.5, 20_000 if quick else LARGE, progress)
+    stages = stage_table(
+        [(n, 20_000 if quick else c, s) for n, c, s in STAGES[: 1 if quick else None] if errors.read_mesh(n) is not None],
+        SIZES[: 1 if quick else None],
+        progress,
+    )
+    noise = noise_tables(models[: 1 if quick else None], NOISE[2:3] if quick else NOISE, progress)
+    scene = errors.Scene(errors.Model(models[0], None, errors.read_mesh(models[0])), "whole")
+    text = "\n".join(
+        [
+            "# Direct rendering of bare positions",
+            "",
+            f"By `Testing/Benchmarks/direct.py`, on {renderer_string(scene.window)}. Noise is Gaussian, along the normal,",
+            "in units of the mean spacing. PCA is `vtkPCANormalEstimation`, its normals turned to the eye; the radius of",
+            "`vtkPullPushMapper` is given. Normals and PSNR are those of the picture beside the mesh's, as in `errors.md`.",
+            "",
+            f"## To the first frame: bunny, {LARGE:,} points, noise 0.5",
+            "",
+            *first,
+            "",
+            "## Milliseconds a frame, and of the paper's passes",
+            "",
+            *stages,
+            "",
+            f"## Errors by noise, {COUNT:,} points",
+            "",
+            "The last row is what the paper's order would give, shading the image buffer and splatting colours, estimated",
+            "from the same surface drawn at the image buffer's resolution.",
+            "",
+            *noise,
+        ]
+    )
+    if arguments.output:
+        write_whole(arguments.output, (text.rstrip() + "\n").encode())
+    else:
+        print(text)
+
+
+if __name__ == "__main__":
+    main()
