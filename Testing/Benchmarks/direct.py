@@ -139,32 +139,29 @@ def shade_early(scene, mapper, image):
     return SurfaceImage(color, image.normals, image.depth)
 
 
-def noise_tables(models, noises, progress):
-    lines = []
+def noise_table(name, noises, progress):
+    mesh = errors.read_mesh(name)
+    heading = ("normals, mean, degrees; PSNR, dB; seconds", *(f"noise {noise}" for noise in noises))
+    lines = [f"### {name}", "", "| " + " | ".join(heading) + " |", "| --- " * (len(noises) + 1) + "|"]
     rows = (DIRECT, NEAREST, *map(pca, NEIGHBORS))
-    for name in models:
-        mesh = errors.read_mesh(name)
-        lines += [f"### {name}", "", "| " + " | ".join(("normals, mean, degrees; PSNR, dB", *map(str, noises))) + " |"]
-        lines.append("| --- " * (len(noises) + 1) + "|")
-        cells = {row: [] for row in (*rows, EARLY)}
-        truth = None
-        for noise in noises:
-            model, radius = make_model(name, mesh, COUNT, noise)
-            for row in rows:
-                found, truth = measure(row, model, radius, truth)
-                cells[row].append(f"{found['normal_mean']:.2f}; {found['psnr']:.1f}")
-                if row == DIRECT:
-                    cells[EARLY].append(f"{found['early']:.1f} dB")
-                progress(f"{name}, noise {noise}, {row}: {cells[row][-1]}, {found['seconds']:.2f} s")
-        lines += [f"| {row} | " + " | ".join(values) + " |" for row, values in cells.items()] + [""]
-    return lines
+    cells = {row: [] for row in (*rows, EARLY)}
+    truth = None
+    for noise in noises:
+        model, radius = make_model(name, mesh, COUNT, noise)
+        for row in rows:
+            found, truth = measure(row, model, radius, truth)
+            cells[row].append(f"{found['normal_mean']:.2f}; {found['psnr']:.1f}; {found['seconds']:.2f}")
+            if row == DIRECT:
+                cells[EARLY].append(f"{found['early']:.1f} dB")
+            progress(f"{name}, noise {noise}, {row}: {cells[row][-1]}")
+    return lines + [f"| {row} | " + " | ".join(values) + " |" for row, values in cells.items()]
 
 
 def first_frame_table(noise, count, progress):
     model, radius = make_model("bunny", errors.read_mesh("bunny"), count, noise)
     lines = ["| | seconds to the first frame | times direct | normals, mean, degrees | PSNR, dB |", "| --- " * 5 + "|"]
     truth = reference = None
-    for row in (DIRECT, NEAREST, *map(pca, NEIGHBORS)):
+    for row in (DIRECT, NEAREST, pca(NEIGHBORS[0])):  # more neighbours take longer
         found, truth = measure(row, model, radius, truth)
         reference = reference or found["seconds"]
         lines.append(
@@ -249,42 +246,46 @@ def main():
         print(text, file=sys.stderr, flush=True)
 
     quick = arguments.quick
-    first = first_frame_table(0.5, 20_000 if quick else LARGE, progress)
-    stages = stage_table(
-        [(n, 20_000 if quick else c, s) for n, c, s in STAGES[: 1 if quick else None] if errors.read_mesh(n) is not None],
-        SIZES[: 1 if quick else None],
-        progress,
-    )
-    noise = noise_tables(models[: 1 if quick else None], NOISE[2:3] if quick else NOISE, progress)
     scene = errors.Scene(errors.Model(models[0], None, errors.read_mesh(models[0])), "whole")
-    text = "\n".join(
+    lines = [
+        "# Direct rendering of bare positions",
+        "",
+        f"By `Testing/Benchmarks/direct.py`, on {renderer_string(scene.window)}. Noise is Gaussian, along the normal,",
+        "in units of the mean spacing. PCA is `vtkPCANormalEstimation`, its normals turned to the eye; the radius of",
+        "`vtkPullPushMapper` is given. Normals and PSNR are those of the picture beside the mesh's, as in `errors.md`.",
+    ]
+
+    def add(section):
+        lines.extend(["", *section])
+        if arguments.output:
+            write_whole(arguments.output, ("\n".join(lines).rstrip() + "\n").encode())
+
+    count = 20_000 if quick else LARGE
+    add(
         [
-            "# Direct rendering of bare positions",
+            f"## To the first frame: bunny, {count:,} points, noise 0.5",
             "",
-            f"By `Testing/Benchmarks/direct.py`, on {renderer_string(scene.window)}. Noise is Gaussian, along the normal,",
-            "in units of the mean spacing. PCA is `vtkPCANormalEstimation`, its normals turned to the eye; the radius of",
-            "`vtkPullPushMapper` is given. Normals and PSNR are those of the picture beside the mesh's, as in `errors.md`.",
+            "With more neighbours the peer takes longer still.",
             "",
-            f"## To the first frame: bunny, {LARGE:,} points, noise 0.5",
-            "",
-            *first,
-            "",
-            "## Milliseconds a frame, and of the paper's passes",
-            "",
-            *stages,
-            "",
+            *first_frame_table(0.5, count, progress),
+        ]
+    )
+    add(
+        [
             f"## Errors by noise, {COUNT:,} points",
             "",
             "The last row is what the paper's order would give, shading the image buffer and splatting colours, estimated",
-            "from the same surface drawn at the image buffer's resolution.",
-            "",
-            *noise,
+            "from the same surface drawn at the image buffer's resolution. Seconds are those to the first frame.",
         ]
     )
-    if arguments.output:
-        write_whole(arguments.output, (text.rstrip() + "\n").encode())
-    else:
-        print(text)
+    for name in models[: 1 if quick else None]:
+        add(noise_table(name, NOISE[2:3] if quick else NOISE, progress))
+    stages = [(n, 20_000 if quick else c, s) for n, c, s in STAGES[: 1 if quick else None]]
+    stages = [stage for stage in stages if errors.read_mesh(stage[0]) is not None]
+    table = stage_table(stages, SIZES[: 1 if quick else None], progress)
+    add(["## Milliseconds a frame, and of the paper's passes", "", *table])
+    if not arguments.output:
+        print("\n".join(lines))
 
 
 if __name__ == "__main__":
