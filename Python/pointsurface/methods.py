@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The mappers by the names that a user types."""
 
-from . import vtkPullPushMapper
+from . import vtkDirectPointMapper, vtkPullPushMapper
 
 METHODS = {
     "pull-push": vtkPullPushMapper,
+    "direct": vtkDirectPointMapper,
 }

@@ -21,11 +21,13 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersPoints import vtkPCANormalEstimation
-from vtkmodules.vtkRenderingCore import vtkPointGaussianMapper, vtkPolyDataMapper
+from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
+from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 
 import errors
 from pointsurface import vtkDirectPointMapper, vtkPullPushMapper
 from pointsurface.metrics import SurfaceImage, compare
+from pointsurface.peers import gaussian_discs
 from pointsurface.rendering import offscreen_window, read_color, renderer_string, write_whole
 from pointsurface.sampling import sample_by_area
 from pointsurface.timing import time_frames
@@ -177,14 +179,13 @@ def peers(model, radius, normals):
     pull_push.SetInputData(normals)
     pull_push.SetRadius(radius)
     yield "pull-push, normals given", pull_push
-    gaussian = vtkPointGaussianMapper()
-    gaussian.SetInputData(model.cloud)
-    gaussian.SetScaleFactor(radius)
-    gaussian.EmissiveOff()
-    gaussian.SetSplatShaderCode(errors.DISC)
-    gaussian.SetTriangleScale(1)
-    yield "vtkPointGaussianMapper, unlit", gaussian
-    vertices = errors.vtkVertexGlyphFilter()
+    discs = vtkPolyData()
+    discs.SetPoints(model.cloud.GetPoints())
+    radii = numpy_to_vtk(np.full(model.cloud.GetNumberOfPoints(), radius, np.float32), deep=True)
+    radii.SetName("radius")
+    discs.GetPointData().AddArray(radii)
+    yield "vtkPointGaussianMapper, unlit", gaussian_discs(discs)
+    vertices = vtkVertexGlyphFilter()
     vertices.SetInputData(model.cloud)
     vertices.Update()
     points = vtkPolyDataMapper()
