@@ -11,8 +11,10 @@
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPointSurfaceVectorize.h"
 #include "vtkPolyData.h"
 #include "vtkProgressFor.h"
+#include "vtkSMPThreadLocal.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -69,20 +71,68 @@ Word NextVoxels(Word word, Word nextWord)
   return (word >> 1) | (nextWord << (WordBits - 1));
 }
 
-// Packs 64 bytes of 0 or 1.
+// Packs 64 bytes of 0 or 1: the product moves bit 0 of byte i to bit i of the highest byte.
 Word Pack(const unsigned char bytes[WordBits])
 {
   Word word = 0;
   for (int octet = 0; octet < 8; ++octet)
   {
-    Word bits = 0;
+    Word eight = 0;
     for (int i = 0; i < 8; ++i)
     {
-      bits |= static_cast<Word>(bytes[8 * octet + i]) << i;
+      eight |= static_cast<Word>(bytes[8 * octet + i]) << (8 * i);
     }
-    word |= bits << (8 * octet);
+    word |= ((eight * 0x0102040810204080u) >> 56) << (8 * octet);
   }
   return word;
+}
+
+// Which of 64 values are at least `least`, a byte each; on all lanes for the types that volumes
+// mostly are of.
+template <typename T, typename Comparable>
+VTK_POINT_SURFACE_INLINE void CompareWord(const T* values, Comparable least, unsigned char* bytes)
+{
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int i = 0; i < WordBits; ++i)
+  {
+    bytes[i] = static_cast<Comparable>(values[i]) >= least ? 1 : 0;
+  }
+}
+
+template <typename T, typename Comparable>
+void Compare(const T* values, Comparable least, unsigned char* bytes)
+{
+  CompareWord(values, least, bytes);
+}
+
+VTK_POINT_SURFACE_CLONES
+void Compare(const unsigned char* values, unsigned char least, unsigned char* bytes)
+{
+  CompareWord(values, least, bytes);
+}
+
+VTK_POINT_SURFACE_CLONES
+void Compare(const short* values, short least, unsigned char* bytes)
+{
+  CompareWord(values, least, bytes);
+}
+
+VTK_POINT_SURFACE_CLONES
+void Compare(const unsigned short* values, unsigned short least, unsigned char* bytes)
+{
+  CompareWord(values, least, bytes);
+}
+
+VTK_POINT_SURFACE_CLONES
+void Compare(const float* values, float least, unsigned char* bytes)
+{
+  CompareWord(values, least, bytes);
+}
+
+VTK_POINT_SURFACE_CLONES
+void Compare(const double* values, double least, unsigned char* bytes)
+{
+  CompareWord(values, least, bytes);
 }
 
 //------------------------------------------------------------------------------
@@ -216,38 +266,71 @@ struct Output
 };
 
 //------------------------------------------------------------------------------
-// What the corners inside a cell (bit c: corner c; bit a of c: the upper one along axis a) tell of
-// the crossings on its twelve edges.
-struct CellCase
+// Cells, worked on together, a lane each. Bit a of a corner: the upper one along axis a.
+constexpr int CellsAtOnce = 16;
+
+template <typename Real>
+struct Cells
 {
-  int Count;
-  int CountAtUpper[3]; // those on edges across an axis, at its upper end
+  Real Corner[8][CellsAtOnce]; // values less the isovalue
+  float Centre[3][CellsAtOnce];
+  float* Target[CellsAtOnce]; // where the centre goes
+  int Count = 0;
 };
 
-// The lower corners of the four edges along an axis.
-constexpr int LowerCorners[3][4] = { { 0, 2, 4, 6 }, { 0, 1, 4, 5 }, { 0, 1, 2, 3 } };
-
-std::vector<CellCase> MakeCellCases()
+// The mean of the crossings of each cell, from the cell's first voxel. Any point will do for radii
+// that cover the surface, so rounding and values that are not finite may shift it.
+template <typename Real>
+VTK_POINT_SURFACE_INLINE void FindMeans(Cells<Real>& cells, const float (&axes)[3][3])
 {
-  std::vector<CellCase> cases(256, CellCase{ 0, { 0, 0, 0 } });
-  for (int inside = 0; inside < 256; ++inside)
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int i = 0; i < CellsAtOnce; ++i)
   {
+    Real sum[3] = { 0, 0, 0 }; // in steps along the axes
+    Real count = 0;
+    VTK_POINT_SURFACE_UNROLL
     for (int axis = 0; axis < 3; ++axis)
     {
-      for (int corner : LowerCorners[axis])
+      const int next = 1 << ((axis + 1) % 3);
+      const int last = 1 << ((axis + 2) % 3);
+      VTK_POINT_SURFACE_UNROLL
+      for (int edge = 0; edge < 4; ++edge)
       {
-        if (((inside >> corner) ^ (inside >> (corner + (1 << axis)))) & 1)
-        {
-          ++cases[inside].Count;
-          for (int across : { (axis + 1) % 3, (axis + 2) % 3 })
-          {
-            cases[inside].CountAtUpper[across] += (corner >> across) & 1;
-          }
-        }
+        const int corner = (edge & 1 ? next : 0) + (edge & 2 ? last : 0);
+        const Real a = cells.Corner[corner][i];
+        const Real b = cells.Corner[corner + (1 << axis)][i];
+        const Real ratio = a / (a - b);
+        const Real positive = ratio > 0 ? ratio : 0; // what is undefined too
+        const Real t = positive < 1 ? positive : 1;
+        const Real outside = a >= 0 ? Real(0) : Real(1);
+        const Real outsideNext = b >= 0 ? Real(0) : Real(1);
+        const Real crossed = std::abs(outside - outsideNext);
+        sum[axis] += crossed * t;
+        sum[(axis + 1) % 3] += edge & 1 ? crossed : Real(0);
+        sum[(axis + 2) % 3] += edge & 2 ? crossed : Real(0);
+        count += crossed;
       }
     }
+    const Real scale = Real(1) / (count > 1 ? count : Real(1));
+    const float step[3] = { static_cast<float>(scale * sum[0]), static_cast<float>(scale * sum[1]),
+      static_cast<float>(scale * sum[2]) };
+    for (int c = 0; c < 3; ++c)
+    {
+      cells.Centre[c][i] = step[0] * axes[0][c] + step[1] * axes[1][c] + step[2] * axes[2][c];
+    }
   }
-  return cases;
+}
+
+VTK_POINT_SURFACE_CLONES
+void FindCentres(Cells<float>& cells, const float (&axes)[3][3])
+{
+  FindMeans(cells, axes);
+}
+
+VTK_POINT_SURFACE_CLONES
+void FindCentres(Cells<double>& cells, const float (&axes)[3][3])
+{
+  FindMeans(cells, axes);
 }
 
 //------------------------------------------------------------------------------
@@ -266,7 +349,6 @@ public:
     , RowWords((grid.Dims[0] + WordBits - 1) / WordBits)
     , Inside((this->RowWords + 1) * grid.NumberOfRows())
     , RowStart(grid.NumberOfRows() + 1)
-    , Cases(MakeCellCases())
     , SinglePrecision(output.SinglePrecision())
   {
     const double resolution =
@@ -277,6 +359,12 @@ public:
       for (int c = 0; c < 3; ++c)
       {
         this->RelativeAxes[axis][c] = static_cast<float>(grid.RelativeAxes[axis][c]);
+        for (int side = 0; side < 4; ++side)
+        {
+          this->SideOffset[axis][side][c] =
+            static_cast<float>((side & 1) * grid.RelativeAxes[(axis + 1) % 3][c] +
+              (side >> 1) * grid.RelativeAxes[(axis + 2) % 3][c]);
+        }
         this->GradientToNormal[axis][c] =
           static_cast<Real>((flipNormals ? 1.0 : -1.0) * grid.RelativeInverse[axis][c]);
       }
@@ -311,6 +399,7 @@ private:
   Output& Out;
   bool FlipNormals;
   float RelativeAxes[3][3];
+  float SideOffset[3][4][3]; // to the four cells that share an edge along an axis
   Real GradientToNormal[3][3];
   int RowWords;
   std::vector<Word> Inside; // rows of RowWords words and one empty one
@@ -318,7 +407,7 @@ private:
   std::atomic<bool> MeetsNotFinite{ false };
   vtkIdType NumberOfNotFinite = 0;
   std::vector<vtkIdType> RowStart;
-  std::vector<CellCase> Cases;
+  vtkSMPThreadLocal<std::vector<float>> CentreSlices; // two, kept for the next slices
   bool SinglePrecision;
   double Near[3]; // crossings this close to a voxel may be equal once rounded
   double Isovalue = 0.0;
@@ -340,12 +429,13 @@ private:
     return threads * std::max<vtkIdType>(1, batchVoxels / this->G.Step[2]);
   }
 
-  template <typename Predicate>
-  void MarkRow(const T* values, Word* row, Predicate predicate) const;
+  // markWord(values, bytes) tells of 64 values, a byte of 0 or 1 each.
+  template <typename MarkWord>
+  void MarkRow(const T* values, Word* row, const MarkWord& markWord) const;
   void MarkInside(int k);
   void MarkFinite();
   void CountRows(int k);
-  void WriteSlices(int begin, int end) const;
+  void WriteSlices(int begin, int end);
   void WriteRow(int j, int k, const CellSlices& centres) const;
   template <int Axis>
   void WritePoint(vtkIdType& id, Crossing& crossing, const T* value, const Real gradient[3],
@@ -365,7 +455,7 @@ private:
   void Normal(
     const Crossing& crossing, const T* value, const Real gradient[3], float normal[3]) const;
   void CellCentres(int k, float* centres) const;
-  void CellCentre(const T* value, float centre[3]) const;
+  void FlushCells(Cells<Real>& cells) const;
   template <int Axis>
   double Radius(const Crossing& crossing, int k, const CellSlices& centres) const;
   double CoincidentRadius(const Crossing& crossing, const CellSlices& centres) const;
@@ -373,25 +463,22 @@ private:
 
 //------------------------------------------------------------------------------
 template <typename T>
-template <typename Predicate>
-void Sampler<T>::MarkRow(const T* values, Word* row, Predicate predicate) const
+template <typename MarkWord>
+void Sampler<T>::MarkRow(const T* values, Word* row, const MarkWord& markWord) const
 {
   unsigned char bytes[WordBits];
   const int fullWords = this->G.Dims[0] / WordBits;
   for (int w = 0; w < fullWords; ++w, values += WordBits)
   {
-    for (int i = 0; i < WordBits; ++i) // a loop of fixed length is a vector loop
-    {
-      bytes[i] = predicate(values[i]);
-    }
+    markWord(values, bytes);
     row[w] = Pack(bytes);
   }
   if (fullWords < this->RowWords)
   {
-    const int rest = this->G.Dims[0] % WordBits;
-    std::fill_n(bytes, WordBits, static_cast<unsigned char>(0));
-    std::transform(values, values + rest, bytes, predicate);
-    row[fullWords] = Pack(bytes);
+    T rest[WordBits] = {};
+    std::copy_n(values, this->G.Dims[0] % WordBits, rest);
+    markWord(rest, bytes);
+    row[fullWords] = Pack(bytes) & BitsBefore(this->G.Dims[0], fullWords);
   }
 }
 
@@ -436,7 +523,7 @@ void Sampler<T>::MarkInside(int k)
     const vtkIdType row = this->Row(j, k);
     const T* values = this->Values + row * this->G.Step[1];
     this->MarkRow(values, this->Inside.data() + (this->RowWords + 1) * row,
-      [least](T value) { return static_cast<Comparable>(value) >= least; });
+      [least](const T* word, unsigned char* bytes) { Compare(word, least, bytes); });
   }
 }
 
@@ -453,8 +540,11 @@ void Sampler<T>::MarkFinite()
       for (vtkIdType row = begin; row < end; ++row)
       {
         Word* words = this->Finite.data() + (this->RowWords + 1) * row;
-        this->MarkRow(
-          this->Values + row * this->G.Step[1], words, [](T value) { return value - value == 0; });
+        this->MarkRow(this->Values + row * this->G.Step[1], words,
+          [](const T* word, unsigned char* bytes) {
+            std::transform(
+              word, word + WordBits, bytes, [](T value) { return value - value == 0; });
+          });
         for (int w = 0; w < this->RowWords; ++w)
         {
           count += CountBits(words[w]);
@@ -505,8 +595,13 @@ void Sampler<T>::CountRows(int k)
         {
           Crossing crossing = { { w * WordBits + LowestBit(bits), j, k }, axis, 0.0 };
           crossing.T = this->Interpolate(this->Values + this->G.Voxel(crossing.Voxel), axis);
+          if (!this->IsNearVoxel(crossing))
+          {
+            ++count;
+            continue;
+          }
           count += this->IsWritten(crossing);
-          if (!this->HasFiniteEnds(crossing))
+          if (!this->HasFiniteEnds(crossing)) // where T is 0
           {
             this->MeetsNotFinite = true;
           }
@@ -653,6 +748,23 @@ typename Sampler<T>::Real Sampler<T>::Difference(const T* value, int index, int 
 template <typename T>
 void Sampler<T>::Gradient(const T* value, const int ijk[3], Real gradient[3]) const
 {
+  const int* dims = this->G.Dims;
+  if (ijk[0] > 0 && ijk[1] > 0 && ijk[2] > 0 && ijk[0] + 1 < dims[0] && ijk[1] + 1 < dims[1] &&
+    ijk[2] + 1 < dims[2])
+  {
+    Real sum = 0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const vtkIdType step = this->G.Step[axis];
+      gradient[axis] =
+        Real(0.5) * (static_cast<Real>(value[step]) - static_cast<Real>(value[-step]));
+      sum += gradient[axis];
+    }
+    if (!std::is_floating_point<T>::value || std::isfinite(sum))
+    {
+      return;
+    }
+  }
   for (int axis = 0; axis < 3; ++axis)
   {
     gradient[axis] = this->Difference(value, ijk[axis], axis);
@@ -660,58 +772,30 @@ void Sampler<T>::Gradient(const T* value, const int ijk[3], Real gradient[3]) co
 }
 
 //------------------------------------------------------------------------------
-// The mean of the crossings of a cell, from the cell's first voxel, in relative lengths. Any point
-// will do for radii that cover the surface, so rounding and values that are not finite may shift
-// it.
 template <typename T>
-void Sampler<T>::CellCentre(const T* value, float centre[3]) const
+void Sampler<T>::FlushCells(Cells<Real>& cells) const
 {
-  Real corner[8];
-  int inside = 0;
-  for (int c = 0; c < 8; ++c)
+  FindCentres(cells, this->RelativeAxes);
+  for (int i = 0; i < cells.Count; ++i)
   {
-    const vtkIdType offset =
-      (c & 1) + ((c & 2) ? this->G.Step[1] : 0) + ((c & 4) ? this->G.Step[2] : 0);
-    corner[c] = static_cast<Real>(value[offset]) - static_cast<Real>(this->Isovalue);
-    inside |= (corner[c] >= 0) << c;
+    for (int c = 0; c < 3; ++c)
+    {
+      cells.Target[i][c] = cells.Centre[c][i];
+    }
   }
-  Real lower[12];
-  Real upper[12];
-  for (int edge = 0; edge < 12; ++edge)
-  {
-    lower[edge] = corner[LowerCorners[edge / 4][edge % 4]];
-    upper[edge] = corner[LowerCorners[edge / 4][edge % 4] + (1 << (edge / 4))];
-  }
-  Real t[12];
-  for (int edge = 0; edge < 12; ++edge)
-  {
-    const Real a = lower[edge];
-    const Real b = upper[edge];
-    const Real ratio = std::min(Real(1), std::max(Real(0), a / (a - b)));
-    t[edge] = (a >= 0) != (b >= 0) ? ratio : Real(0);
-  }
-  const CellCase& cell = this->Cases[inside];
-  const float scale = 1.0f / std::max(cell.Count, 1);
-  float step[3];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const Real* along = t + 4 * axis;
-    step[axis] = scale *
-      static_cast<float>(cell.CountAtUpper[axis] + ((along[0] + along[1]) + (along[2] + along[3])));
-  }
-  for (int c = 0; c < 3; ++c)
-  {
-    centre[c] = step[0] * this->RelativeAxes[0][c] + step[1] * this->RelativeAxes[1][c] +
-      step[2] * this->RelativeAxes[2][c];
-  }
+  cells.Count = 0;
 }
 
 //------------------------------------------------------------------------------
-// For the cells between slices k and k + 1; those that the surface does not cross are left alone.
+// Of the cells between slices k and k + 1, in relative lengths; those that the surface does not
+// cross are left alone.
 template <typename T>
 void Sampler<T>::CellCentres(int k, float* centres) const
 {
   const int cells = this->G.Dims[0] - 1;
+  const Real isovalue = static_cast<Real>(this->Isovalue);
+  Cells<Real> batch;
+  std::fill_n(&batch.Corner[0][0], 8 * CellsAtOnce, Real(0));
   for (int j = 0; j + 1 < this->G.Dims[1]; ++j, centres += 3 * cells)
   {
     const Word* rows[4] = { this->InsideRow(j, k), this->InsideRow(j + 1, k),
@@ -727,10 +811,21 @@ void Sampler<T>::CellCentres(int k, float* centres) const
       for (Word bits = crossed & BitsBefore(cells, w); bits; bits &= bits - 1)
       {
         const int i = w * WordBits + LowestBit(bits);
-        this->CellCentre(values + i, centres + 3 * i);
+        for (int c = 0; c < 8; ++c)
+        {
+          const vtkIdType offset =
+            (c & 1) + ((c & 2) ? this->G.Step[1] : 0) + ((c & 4) ? this->G.Step[2] : 0);
+          batch.Corner[c][batch.Count] = static_cast<Real>(values[i + offset]) - isovalue;
+        }
+        batch.Target[batch.Count] = centres + 3 * i;
+        if (++batch.Count == CellsAtOnce)
+        {
+          this->FlushCells(batch);
+        }
       }
     }
   }
+  this->FlushCells(batch);
 }
 
 //------------------------------------------------------------------------------
@@ -758,8 +853,7 @@ double Sampler<T>::Radius(const Crossing& crossing, int k, const CellSlices& cen
     float distance2 = 0.0f;
     for (int c = 0; c < 3; ++c)
     {
-      const float d = t * this->RelativeAxes[Axis][c] + (side & 1) * this->RelativeAxes[B][c] +
-        (side >> 1) * this->RelativeAxes[C][c] - centre[c];
+      const float d = t * this->RelativeAxes[Axis][c] + this->SideOffset[Axis][side][c] - centre[c];
       distance2 += d * d;
     }
     largest = std::max(largest, distance2);
@@ -936,24 +1030,26 @@ void Sampler<T>::WriteRow(int j, int k, const CellSlices& centres) const
 
 //------------------------------------------------------------------------------
 template <typename T>
-void Sampler<T>::WriteSlices(int begin, int end) const
+void Sampler<T>::WriteSlices(int begin, int end)
 {
   const vtkIdType size = 3 * vtkIdType(this->G.Dims[0] - 1) * (this->G.Dims[1] - 1);
-  std::unique_ptr<float[]> below(new float[size]);
-  std::unique_ptr<float[]> above(new float[size]);
+  std::vector<float>& slices = this->CentreSlices.Local();
+  slices.resize(2 * size);
+  float* below = slices.data();
+  float* above = below + size;
   if (begin > 0)
   {
-    this->CellCentres(begin - 1, below.get());
+    this->CellCentres(begin - 1, below);
   }
-  for (int k = begin; k < end; ++k, below.swap(above))
+  for (int k = begin; k < end; ++k, std::swap(below, above))
   {
     if (k + 1 < this->G.Dims[2])
     {
-      this->CellCentres(k, above.get());
+      this->CellCentres(k, above);
     }
     for (int j = 0; j < this->G.Dims[1]; ++j)
     {
-      this->WriteRow(j, k, CellSlices{ below.get(), above.get() });
+      this->WriteRow(j, k, CellSlices{ below, above });
     }
   }
 }
