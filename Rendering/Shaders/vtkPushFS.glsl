@@ -34,20 +34,19 @@ float getEllipseDistance(vec4 shape, vec4 interval, vec2 toCenter)
 // and the depth of that point. Far outside where the ray grazes the plane.
 float getDiscDistance(vec4 shape, vec4 interval, vec2 pixel, vec2 toCenter, out float depth)
 {
-  vec4 ray = eyeRay + vec4(pixel, pixel) * eyeRayStep;
-  vec4 centerRay = ray + vec4(toCenter, toCenter) * eyeRayStep;
-  vec3 center = vec3(centerRay.zw + interval.x * centerRay.xy, -interval.x);
-  vec3 direction = vec3(ray.xy, -1.0);
-  vec3 origin = vec3(ray.zw, 0.0);
-  float slope = dot(shape.xyz, direction);
   depth = interval.x;
+  vec2 ray = eyeRay.xy + pixel * eyeRayStep.xy;
+  float slope = dot(shape.xyz, vec3(ray, -1.0));
   if (abs(slope) < 1e-3)
   {
     return 4.0;
   }
-  depth = dot(shape.xyz, center - origin) / slope;
-  vec3 offset = origin + depth * direction - center;
-  return dot(offset, offset) / (shape.w * shape.w);
+  // the centre from where the ray is at the centre's depth, so that no large numbers cancel
+  vec2 center = toCenter * (eyeRayStep.zw + interval.x * eyeRayStep.xy);
+  float deeper = dot(shape.xy, center) / slope;
+  depth += deeper;
+  vec3 offset = vec3(deeper * ray - center, deeper) / shape.w;
+  return dot(offset, offset);
 }
 
 float getDistance(vec4 shape, vec4 interval, vec2 pixel, out float depth)
