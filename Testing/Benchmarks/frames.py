@@ -1,0 +1,126 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whole frames of vtkPullPushMapper, by both back ends, beside those of vtkPointGaussianMapper.
+
+    python3 Testing/Benchmarks/frames.py [--output [FILE]]
+
+Each figure comes from a process of its own: the median of some frames after warm-up, until OpenGL has finished them,
+with the camera moving before every frame; the time of the wall and that of the process over all its threads.
+vtkPointGaussianMapper is at its fastest: opaque discs, SetTriangleScale(1). PYTHONPATH must lead to the package
+pointsurface; the models are those of table1.py.
+"""
+
+import argparse
+import json
+import os
+import subprocess
+import sys
+import time
+from statistics import median
+
+from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
+
+from pointsurface.rendering import offscreen_window, renderer_string, write_whole
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, HERE)
+from table1 import make_mapper, read_model  # noqa: E402
+
+MODEL = "bunny"
+CASES = ((100_000, 512), (100_000, 1024), (2_000_000, 512), (2_000_000, 1024))
+RENDERERS = ("CPU", "OpenGL", "gaussian")
+# Shares of the time of vtkPointGaussianMapper that are aimed at, by back end, viewport and number of points.
+WANTED = {
+    ("CPU", 512, 100_000): 0.2,
+    ("CPU", 1024, 100_000): 0.35,
+    ("CPU", 512, 2_000_000): 0.1,
+    ("CPU", 1024, 2_000_000): 0.1,
+    ("OpenGL", 512, 100_000): 0.6,
+    ("OpenGL", 1024, 100_000): 0.9,
+}
+WARM_UP, FRAMES = 3, 11
+
+
+def measure(name, count, size):
+    """Milliseconds a frame, of the wall and of the process; prints them and the renderer string as JSON."""
+    mesh, model = read_model(MODEL)
+    mapper = make_mapper("gaussian" if name == "gaussian" else "default", mesh, count)
+    if name != "gaussian":
+        getattr(mapper, f"SetBackendTo{name}")()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    renderer = vtkRenderer()
+    renderer.AddActor(actor)
+    window = offscreen_window(renderer, (size, size))
+    renderer.ResetCamera(mesh.GetBounds())
+    renderer.GetActiveCamera().Zoom(1.4)
+    times = [draw_next_frame(window, renderer) for _ in range(WARM_UP + FRAMES)][WARM_UP:]
+    wall, process = (median(column) for column in zip(*times))
+    print(json.dumps({"wall": wall, "process": process, "model": model, "renderer": renderer_string(window)}))
+
+
+def draw_next_frame(window, renderer):
+    """Milliseconds of the wall and of the process."""
+    renderer.GetActiveCamera().Azimuth(1)
+    renderer.ResetCameraClippingRange()
+    window.WaitForCompletion()
+    start = time.perf_counter(), time.process_time()
+    window.Render()
+    window.WaitForCompletion()
+    return 1e3 * (time.perf_counter() - start[0]), 1e3 * (time.process_time() - start[1])
+
+
+def measure_apart(name, count, size):
+    print(f"{count} points, {size} x {size}: {name}", file=sys.stderr, flush=True)
+    command = [sys.executable, os.path.abspath(__file__), "--measure", name, str(count), str(size)]
+    result = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
+    return json.loads(result.stdout.splitlines()[-1])
+
+
+def make_table(cases=CASES):
+    """The table as Markdown; a row for each number of points, viewport and back end."""
+    lines = []
+    for count, size in cases:
+        results = {name: measure_apart(name, count, size) for name in RENDERERS}
+        gaussian = results["gaussian"]
+        for name in RENDERERS[:2]:
+            ours = results[name]
+            wanted = WANTED.get((name, size, count))
+            cells = [count, f"{size} x {size}", name]
+            for clock in ("process", "wall"):
+                cells += [f"{ours[clock]:.1f}", f"{gaussian[clock]:.1f}", f"{ours[clock] / gaussian[clock]:.2f}"]
+            cells.append(wanted if wanted is not None else "")
+            lines.append("| " + " | ".join(map(str, cells)) + " |")
+    return HEAD.format(frames=FRAMES, **gaussian) + "\n".join(lines) + "\n"
+
+
+HEAD = """# Whole frames of vtkPullPushMapper and vtkPointGaussianMapper
+
+Milliseconds a frame, the median of {frames}, camera moving, each renderer in a process of its own: of the process over
+all its threads, and of the wall. vtkPointGaussianMapper draws opaque discs, triangle scale 1. Points sampled uniformly
+by area on the model {model} (the bunny is of the Stanford University Computer Graphics Laboratory). OpenGL renderer:
+{renderer}.
+
+| points | viewport | back end | process | Gaussian | ratio | wall | Gaussian | ratio | aimed at |
+| ---: | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |
+"""
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    default_output = os.path.join(HERE, "frames.md")
+    parser.add_argument("--output", nargs="?", const=default_output, metavar="FILE", help="write the table to a file")
+    parser.add_argument("--measure", nargs=3, help=argparse.SUPPRESS)
+    arguments = parser.parse_args()
+    if arguments.measure:
+        name, count, size = arguments.measure
+        measure(name, int(count), int(size))
+        return
+    table = make_table()
+    print(table, end="")
+    if arguments.output:
+        write_whole(arguments.output, table.encode())
+
+
+if __name__ == "__main__":
+    main()
