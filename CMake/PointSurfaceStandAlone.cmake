@@ -11,7 +11,7 @@ option(BUILD_SHARED_LIBS "Build a shared library" ON)
 option(POINTSURFACE_WRAP_PYTHON "Build the Python package pointsurface" ON)
 
 set(vtk_modules CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem FiltersPoints RenderingCore
-  RenderingOpenGL2 RenderingUI)
+  RenderingOpenGL2 RenderingUI eigen)
 find_package(VTK 9.1 REQUIRED
   COMPONENTS ${vtk_modules}
   OPTIONAL_COMPONENTS Python WrappingPythonCore FiltersCore FiltersGeneral FiltersGeometry FiltersSources IOImage

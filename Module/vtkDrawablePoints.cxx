@@ -92,6 +92,7 @@ std::vector<std::string> vtkDrawablePoints::Build(
   this->Remarks.clear();
   this->Aborted = false;
   caller->SetAbortExecute(0); // as pipelines do before a filter runs
+  this->BuildTime.Modified();
   this->Cloud = vtkSmartPointer<vtkPolyData>::New();
   this->Cloud->GetPointData()->ShallowCopy(input->GetPointData());
   this->SelectPoints(input);

@@ -105,6 +105,11 @@ public:
   vtkIdType GetNumberOfDrawnPoints() const { return this->NumberOfDrawnPoints; }
 
   /**
+   * When Build() was last called.
+   */
+  vtkMTimeType GetBuildTime() const { return this->BuildTime.GetMTime(); }
+
+  /**
    * Bounds of the drawn points.
    */
   const double* GetBounds() const { return this->Bounds; }
@@ -148,6 +153,7 @@ private:
   double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
   std::vector<std::string> Remarks;
   bool Aborted = false;
+  vtkTimeStamp BuildTime;
 };
 
 #endif

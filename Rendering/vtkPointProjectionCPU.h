@@ -47,6 +47,11 @@ public:
   vtkMTimeType GetColorsTime() const { return this->ColorsTime; }
 
   /**
+   * What the layer Color carries of a point; there is something.
+   */
+  std::array<float, 4> GetColor(size_t id) const;
+
+  /**
    * Draws the points of the view's ranges into `image`, which is allocated for the view, with the
    * layer Color if there are colours. `view` is one whose MCVC is of the points' own coordinates.
    * With `nearest`, the result of such a run with centre depths, a pixel gets the farthest point
@@ -72,7 +77,6 @@ private:
     unsigned int id, float depth, int x, int y, vtkSurfaceImage& image) const;
   void Prefetch(size_t id) const;
   std::array<float, 3> GetPosition(size_t id) const; // about the origin
-  std::array<float, 4> GetColor(size_t id) const;
 
   const vtkDrawablePoints* Points = nullptr;
   vtkSmartPointer<vtkDataArray> Positions; // floats or doubles

@@ -336,7 +336,7 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
       "' is mapped to a vertex attribute, which has no use: pixels are shaded here, not vertices. "
       "Remove it (RemoveAllVertexAttributeMappings).");
   }
-  if (this->LastFrameBackend == CPU)
+  if (this->UploadsStandIns())
   {
     this->Internals->ProjectionCPU.SetPoints(&points,
       colors          ? colors
@@ -650,7 +650,7 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(
   }
 
   view.DataTime = this->Internals->PointsTime.GetMTime();
-  if (this->LastFrameBackend == CPU)
+  if (this->UploadsStandIns())
   {
     view.DataTime = std::max(view.DataTime, this->Internals->ProjectionCPU.GetColorsTime());
   }
@@ -668,8 +668,9 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(
 
   const vtkDrawablePoints& points = this->Internals->Points;
   view.RadiusScale = this->RadiusScale * vtkPointSurfaceView::GetLargestStretch(modelToEye);
-  view.LargestRadius = view.RadiusScale * points.GetLargestRadius();
-  view.MeanRadius = view.RadiusScale * points.GetMeanRadius();
+  this->GetReach(view.MeanRadius, view.LargestRadius);
+  view.MeanRadius *= view.RadiusScale;
+  view.LargestRadius *= view.RadiusScale;
   if (points.GetNumberOfDrawnPoints() > 0)
   {
     view.Ranges = vtkPointBlocks::GetRanges(blocks, points.GetDrawnIds());
@@ -751,6 +752,10 @@ void vtkPointSurfaceMapper::FindOrMakeSurfaceBuffer(
     state->vtkglDisable(GL_MULTISAMPLE);
     state->vtkglDisable(GL_CULL_FACE);
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    if (!this->UsesProjection())
+    {
+      internals.Timers[Reconstruct].Start();
+    }
     if (resolve)
     {
       internals.Samples.Allocate(window, view.Size[0], view.Size[1], layers);
@@ -913,6 +918,22 @@ void vtkPointSurfaceMapper::SetMapperShaderParameters(
 }
 
 //------------------------------------------------------------------------------
+void vtkPointSurfaceMapper::GetReach(double& mean, double& largest) const
+{
+  mean = this->Internals->Points.GetMeanRadius();
+  largest = this->Internals->Points.GetLargestRadius();
+}
+
+const vtkDrawablePoints& vtkPointSurfaceMapper::GetDrawablePoints() const
+{
+  return this->Internals->Points;
+}
+
+std::array<float, 4> vtkPointSurfaceMapper::GetPointColor(vtkIdType id) const
+{
+  return this->Internals->ProjectionCPU.GetColor(static_cast<size_t>(id));
+}
+
 vtkOpenGLRenderWindow* vtkPointSurfaceMapper::GetLastWindow() const
 {
   return this->Internals->Window;

@@ -39,11 +39,13 @@
 #include "vtkPointSurfaceModule.h" // for export macro
 #include "vtkSmartPointer.h"       // for vtkSmartPointer
 
+#include <array>  // for std::array
 #include <memory> // for std::unique_ptr
 #include <set>    // for std::set
 #include <string> // for std::string
 #include <vector> // for std::vector
 
+class vtkDrawablePoints;
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexBufferObjectCache;
@@ -217,6 +219,27 @@ protected:
   virtual double GetNeededSamplingQuantile() const { return -1.0; }
 
   /**
+   * Whether ProjectPoints() is used. If not, no point is uploaded: the subclass uploads what it
+   * draws, from GetDrawablePoints() and GetPointColor(), whenever the view's DataTime changes. True
+   * by default.
+   */
+  virtual bool UsesProjection() const { return true; }
+
+  /**
+   * How far from a point its part of the surface reaches, on average and at most, in the points'
+   * units: the view's MeanRadius and LargestRadius. By default the points' radii.
+   */
+  virtual void GetReach(double& mean, double& largest) const;
+
+  ///@{
+  /**
+   * The points of the frame, and the colour or texture coordinates that are carried for one.
+   */
+  const vtkDrawablePoints& GetDrawablePoints() const;
+  std::array<float, 4> GetPointColor(vtkIdType id) const;
+  ///@}
+
+  /**
    * Makes the surface buffer of `view` from the uploaded points: fills `surface`, whose layers are
    * allocated, within the view's rectangle. OpenGL's state is as a step needs it: no blending, no
    * depth test; the framebuffer is restored by the caller. Sets the levels and passes of the
@@ -306,6 +329,8 @@ private:
   void operator=(const vtkPointSurfaceMapper&) = delete;
 
   void ChooseBackend();
+  // Whether only stand-ins of the points' arrays are uploaded, as ProjectPoints() by OpenGL is not.
+  bool UploadsStandIns() const { return this->LastFrameBackend == CPU || !this->UsesProjection(); }
   void UpdateDrawablePoints();
   // The array if it has a tuple for each point; else nullptr, with a warning.
   vtkDataArray* RequireTuples(vtkDataArray* array, const char* what);

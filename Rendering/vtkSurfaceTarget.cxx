@@ -16,9 +16,9 @@
 namespace
 {
 const char* const LayerNames[vtkSurfaceTarget::NumberOfLayers] = { "Shape", "Interval", "Surface",
-  "Id", "Color" };
+  "Id", "Color", "Nearness", "Sum", "Weight" };
 const char* const OutputNames[vtkSurfaceTarget::NumberOfLayers] = { "OUT_SHAPE", "OUT_INTERVAL",
-  "OUT_SURFACE", "OUT_ID", "OUT_COLOR" };
+  "OUT_SURFACE", "OUT_ID", "OUT_COLOR", "OUT_NEARNESS", "OUT_SUM", "OUT_WEIGHT" };
 
 bool IsInteger(vtkSurfaceTarget::Layer layer)
 {

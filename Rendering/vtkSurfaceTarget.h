@@ -34,6 +34,9 @@ public:
     Surface,  ///< xyz: eye-space normal; w: eye depth, 0 where there is no surface
     Id,       ///< point id + 1 (an unsigned integer), 0 where there is none
     Color,    ///< RGBA, or texture coordinates in xy
+    Nearness, ///< x, y: 1 / depth of the nearest front and back of a surface, 0 where there is none
+    Sum,      ///< xyz: weighted sum of normals; w: of depths
+    Weight,   ///< x: sum of weights
     NumberOfLayers
   };
 

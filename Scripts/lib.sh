@@ -14,7 +14,7 @@ python=/usr/bin/python3
 not_to_be_had=$build_dir/packages-not-to-be-had
 
 # libgl1-mesa-dri: Mesa's drivers, the software renderer among them.
-build_packages=(g++ cmake ninja-build libvtk9-dev libegl-dev libgl1-mesa-dri python3-vtk9 python3-numpy)
+build_packages=(g++ cmake ninja-build libvtk9-dev libeigen3-dev libegl-dev libgl1-mesa-dri python3-vtk9 python3-numpy)
 
 say() { printf '%s: %s\n' "$(basename "$0")" "$*" >&2; }
 

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkDrawableSplats
+ * @brief   a set of splats as the mapper draws it: checked, about an origin, grouped by order
+ *
+ * Takes the arrays that vtkAlgebraicSplats documents. Splats that cannot be drawn are left out.
+ * Not wrapped, not installed: it serves vtkAlgebraicSplatMapper.
+ */
+#ifndef vtkDrawableSplats_h
+#define vtkDrawableSplats_h
+
+#include "vtkAlgebraicSplat.h"
+#include "vtkType.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+class vtkDrawableSplats
+{
+public:
+  struct Splat
+  {
+    std::array<float, 3> Center; ///< about GetOrigin()
+    float Radius;
+    std::array<float, 3> U, V, Normal; ///< unit
+    std::array<float, 2> Heights;      ///< between which g lies over the disc, in units of Radius
+    unsigned int Id;                   ///< of its point
+    std::array<float, vtkAlgebraicSplat::MaximumNumberOfCoefficients> Coefficients;
+  };
+
+  /**
+   * Reads `cloud`, of which the points `ids` (if empty, all) are to be drawn, `origin` being amid
+   * them. Returns what has to be said of the data, a line each; empty if there is nothing. Where an
+   * array is missing or of a wrong form, nothing is drawn.
+   */
+  std::vector<std::string> Build(
+    vtkPolyData* cloud, const std::vector<unsigned int>& ids, const std::array<double, 3>& origin);
+
+  /**
+   * The splats of an order, 1 to 4.
+   */
+  const std::vector<Splat>& GetSplats(int order) const { return this->Groups[order - 1]; }
+  vtkIdType GetNumberOfSplats() const;
+
+  const std::array<double, 3>& GetOrigin() const { return this->Origin; }
+
+  /**
+   * The largest distance of a point of a splat from its centre.
+   */
+  double GetReach() const { return this->Reach; }
+  double GetMeanRadius() const { return this->MeanRadius; }
+
+private:
+  std::array<std::vector<Splat>, vtkAlgebraicSplat::MaximumOrder> Groups;
+  std::array<double, 3> Origin{};
+  double Reach = 0.0;
+  double MeanRadius = 0.0;
+};
+
+#endif

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAlgebraicSplatMapper.h"
+
+#include "vtkAlgebraicSplatOptions.h"
+#include "vtkAlgebraicSplatTracingCPU.h"
+#include "vtkAlgebraicSplatTracingOpenGL.h"
+#include "vtkDrawablePoints.h"
+#include "vtkDrawableSplats.h"
+#include "vtkPointSurfaceView.h"
+#include "vtkSurfacePixels.h"
+#include "vtkSurfaceTarget.h"
+
+#include "vtkFloatArray.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <array>
+
+class vtkAlgebraicSplatMapper::vtkInternals
+{
+public:
+  vtkDrawableSplats Splats;
+  vtkMTimeType SplatsTime = 0; // of the points that they were built from
+  vtkAlgebraicSplatTracingOpenGL Tracing;
+  vtkMTimeType UploadedTime = 0; // the view's DataTime
+  bool UploadedColors = false;
+};
+
+vtkStandardNewMacro(vtkAlgebraicSplatMapper);
+
+vtkAlgebraicSplatMapper::vtkAlgebraicSplatMapper()
+  : Internals(new vtkInternals)
+{
+}
+
+vtkAlgebraicSplatMapper::~vtkAlgebraicSplatMapper()
+{
+  this->vtkAlgebraicSplatMapper::ReleaseGraphicsResources(nullptr); // see ~vtkPointSurfaceMapper
+}
+
+void vtkAlgebraicSplatMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  this->Internals->Tracing.ReleaseGraphicsResources(window);
+  this->Internals->UploadedTime = 0;
+}
+
+void vtkAlgebraicSplatMapper::SetToPublished()
+{
+  this->SetDepthShift(0.005);
+  this->SetWeightFalloff(1.0);
+  this->SeparateSidesOff();
+}
+
+vtkAlgebraicSplatOptions vtkAlgebraicSplatMapper::GetOptions() const
+{
+  vtkAlgebraicSplatOptions options;
+  options.DepthShift = this->DepthShift;
+  options.WeightFalloff = this->WeightFalloff;
+  options.SeparateSides = this->SeparateSides;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+void vtkAlgebraicSplatMapper::ComputeBounds()
+{
+  this->Superclass::ComputeBounds();
+  // a patch reaches a little beyond its disc; what it reaches exactly is known when it is drawn
+  vtkPolyData* input = this->GetInput();
+  vtkDataArray* radii = input ? input->GetPointData()->GetArray("radius") : nullptr;
+  if (!radii || !vtkMath::AreBoundsInitialized(this->Bounds))
+  {
+    return;
+  }
+  double range[2];
+  radii->GetFiniteRange(range);
+  for (int k = 0; k < 3 && range[1] > 0.0; ++k)
+  {
+    this->Bounds[2 * k] -= range[1];
+    this->Bounds[2 * k + 1] += range[1];
+  }
+}
+
+void vtkAlgebraicSplatMapper::GetReach(double& mean, double& largest) const
+{
+  mean = this->Internals->Splats.GetMeanRadius();
+  largest = this->Internals->Splats.GetReach();
+}
+
+void vtkAlgebraicSplatMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::BuildBufferObjects(renderer, actor);
+  vtkInternals& internals = *this->Internals;
+  const vtkDrawablePoints& points = this->GetDrawablePoints();
+  if (internals.SplatsTime == points.GetBuildTime())
+  {
+    return;
+  }
+  internals.SplatsTime = points.GetBuildTime();
+  const double* bounds = points.GetBounds();
+  std::array<double, 3> middle;
+  for (int k = 0; k < 3; ++k)
+  {
+    middle[k] = 0.5 * (bounds[2 * k] + bounds[2 * k + 1]);
+  }
+  if (points.GetNumberOfDrawnPoints() == 0)
+  {
+    return; // the base class has said why
+  }
+  for (const std::string& remark :
+    internals.Splats.Build(points.GetCloud(), points.GetDrawnIds(), middle))
+  {
+    if (internals.Splats.GetNumberOfSplats() == 0)
+    {
+      vtkErrorMacro(<< remark);
+    }
+    else
+    {
+      vtkWarningMacro(<< remark);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAlgebraicSplatMapper::MakeSurfaceBuffer(
+  vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& surface)
+{
+  vtkInternals& internals = *this->Internals;
+  const bool colors = surface.Has(vtkSurfaceTarget::Color);
+  if (internals.UploadedTime != view.DataTime || internals.UploadedColors != colors)
+  {
+    vtkAlgebraicSplatTracingOpenGL::ColorSource color;
+    if (colors)
+    {
+      color = [this](unsigned int id) { return this->GetPointColor(id); };
+    }
+    this->LastFrameBytesUploaded +=
+      static_cast<vtkIdType>(internals.Tracing.Upload(window, internals.Splats, color));
+    internals.UploadedTime = view.DataTime;
+    internals.UploadedColors = colors;
+  }
+  internals.Tracing.Run(window, view, this->GetOptions(), surface);
+  this->LastFramePointsDrawn = internals.Splats.GetNumberOfSplats();
+  this->LastFramePasses = internals.Tracing.GetPasses();
+}
+
+void vtkAlgebraicSplatMapper::MakeSurfacePixels(
+  const vtkPointSurfaceView& view, bool ids, bool colors, vtkSurfacePixels& surface)
+{
+  vtkInternals& internals = *this->Internals;
+  vtkAlgebraicSplatTracingCPU::ColorSource color;
+  if (colors)
+  {
+    color = [this](unsigned int id) { return this->GetPointColor(id); };
+  }
+  vtkAlgebraicSplatTracingCPU::Run(internals.Splats, view, this->GetOptions(), ids, color, surface);
+  this->LastFramePointsDrawn = internals.Splats.GetNumberOfSplats();
+  this->LastFramePasses = 1;
+}
+
+void vtkAlgebraicSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DepthShift: " << this->DepthShift << "\n";
+  os << indent << "WeightFalloff: " << this->WeightFalloff << "\n";
+  os << indent << "SeparateSides: " << this->SeparateSides << "\n";
+}

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAlgebraicSplatTracingOpenGL.h"
+
+#include "vtkAlgebraicSplatBlendFS.h"
+#include "vtkAlgebraicSplatFS.h"
+#include "vtkAlgebraicSplatOptions.h"
+#include "vtkAlgebraicSplatTransform.h"
+#include "vtkAlgebraicSplatVS.h"
+#include "vtkDrawableSplats.h"
+#include "vtkFirstRoot.h"
+#include "vtkPointSurfaceCompat.h"
+#include "vtkPointSurfaceView.h"
+#include "vtkScreenPass.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <string>
+
+namespace
+{
+/// Texels of a splat before its coefficients.
+constexpr int FrameTexels = 4;
+
+int GetCoefficientTexels(int order)
+{
+  return (vtkAlgebraicSplat::GetNumberOfCoefficients(order) + 3) / 4;
+}
+
+template <size_t Size>
+std::array<float, Size> ToFloats(const std::array<double, Size>& values)
+{
+  std::array<float, Size> floats;
+  std::copy(values.begin(), values.end(), floats.begin());
+  return floats;
+}
+
+void SetView(vtkShaderProgram* program, const vtkPointSurfaceView& view,
+  const vtkAlgebraicSplatTransform& transform)
+{
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->DeepCopy(view.VCDC.data());
+  program->SetUniformMatrix("VCDCMatrix", matrix);
+  program->SetUniformMatrix3x3("toEye", ToFloats(transform.ToEye).data());
+  program->SetUniform3f("origin", ToFloats(transform.Origin).data());
+  program->SetUniform4f("eyeRay", ToFloats(transform.Ray).data());
+  program->SetUniform4f("eyeRayStep", ToFloats(transform.RayStep).data());
+  const float pixel[2] = { 2.0f / view.Size[0], 2.0f / view.Size[1] };
+  program->SetUniform2f("pixel", pixel);
+  float planes[8][4] = {};
+  for (size_t i = 0; i < transform.Planes.size(); ++i)
+  {
+    std::copy_n(ToFloats(transform.Planes[i]).data(), 4, planes[i]);
+  }
+  program->SetUniformi("numberOfPlanes", static_cast<int>(transform.Planes.size()));
+  program->SetUniform4fv("planes", 8, planes);
+  program->SetUniformi("cull", view.Cull);
+}
+}
+
+vtkAlgebraicSplatTracingOpenGL::vtkAlgebraicSplatTracingOpenGL() = default;
+vtkAlgebraicSplatTracingOpenGL::~vtkAlgebraicSplatTracingOpenGL() = default;
+
+void vtkAlgebraicSplatTracingOpenGL::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (Group& group : this->Groups)
+  {
+    group.Texels->ReleaseGraphicsResources(window);
+    group.Buffer->ReleaseGraphicsResources();
+    group.Count = 0;
+  }
+  for (vtkSurfaceTarget* target : { &this->Visible, &this->Sums, &this->Ids })
+  {
+    target->ReleaseGraphicsResources(window);
+  }
+  for (auto& entry : this->BlendPasses)
+  {
+    entry.second->ReleaseGraphicsResources();
+  }
+  this->VertexArray->ReleaseGraphicsResources();
+}
+
+//------------------------------------------------------------------------------
+size_t vtkAlgebraicSplatTracingOpenGL::Upload(
+  vtkOpenGLRenderWindow* window, const vtkDrawableSplats& splats, const ColorSource& color)
+{
+  size_t bytes = 0;
+  this->Origin = splats.GetOrigin();
+  for (int order = 1; order <= vtkAlgebraicSplat::MaximumOrder; ++order)
+  {
+    Group& group = this->Groups[order - 1];
+    const std::vector<vtkDrawableSplats::Splat>& source = splats.GetSplats(order);
+    group.Count = static_cast<int>(source.size());
+    group.Stride = FrameTexels + GetCoefficientTexels(order) + (color ? 1 : 0);
+    group.Texels->ReleaseGraphicsResources(window);
+    if (source.empty())
+    {
+      group.Buffer->ReleaseGraphicsResources();
+      continue;
+    }
+    std::vector<float> texels(source.size() * group.Stride * 4, 0.0f);
+    float* to = texels.data();
+    for (const vtkDrawableSplats::Splat& splat : source)
+    {
+      std::copy_n(splat.Center.data(), 3, to);
+      to[3] = splat.Radius;
+      std::copy_n(splat.Normal.data(), 3, to + 4);
+      to[7] = splat.Heights[0];
+      std::copy_n(splat.U.data(), 3, to + 8);
+      to[11] = splat.Heights[1];
+      to[12] = static_cast<float>(splat.Id & 0xffffu);
+      to[13] = static_cast<float>(splat.Id >> 16);
+      std::copy_n(splat.Coefficients.data(), vtkAlgebraicSplat::GetNumberOfCoefficients(order),
+        to + 4 * FrameTexels);
+      to += 4 * group.Stride;
+      if (color)
+      {
+        const std::array<float, 4> rgba = color(splat.Id);
+        std::copy_n(rgba.data(), 4, to - 4);
+      }
+    }
+    bytes += texels.size() * sizeof(float);
+    group.Buffer->Upload(texels, vtkOpenGLBufferObject::TextureBuffer);
+    group.Texels->SetContext(window);
+    group.Texels->CreateTextureBuffer(
+      static_cast<unsigned int>(texels.size() / 4), 4, VTK_FLOAT, group.Buffer);
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkAlgebraicSplatTracingOpenGL::Run(vtkOpenGLRenderWindow* window,
+  const vtkPointSurfaceView& view, const vtkAlgebraicSplatOptions& options,
+  vtkSurfaceTarget& surface)
+{
+  const vtkAlgebraicSplatTransform transform(view, this->Origin);
+  vtkOpenGLState* state = window->GetState();
+  const int width = view.Size[0];
+  const int height = view.Size[1];
+  this->Passes = 0;
+  this->Visible.Allocate(window, width, height, { vtkSurfaceTarget::Nearness });
+  std::vector<vtkSurfaceTarget::Layer> layers = { vtkSurfaceTarget::Sum, vtkSurfaceTarget::Weight };
+  if (surface.Has(vtkSurfaceTarget::Color))
+  {
+    layers.push_back(vtkSurfaceTarget::Color);
+  }
+  this->Sums.Allocate(window, width, height, layers);
+  {
+    vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFunc(GL_ONE, GL_ONE);
+    state->vtkglBlendEquation(GL_MAX);
+    this->DrawSplats(window, view, transform, options, nullptr, this->Visible);
+    state->vtkglBlendEquation(GL_FUNC_ADD);
+    this->DrawSplats(window, view, transform, options, &this->Visible, this->Sums);
+    state->vtkglDisable(GL_BLEND);
+  }
+  if (surface.Has(vtkSurfaceTarget::Id))
+  {
+    this->Ids.Allocate(window, width, height, { vtkSurfaceTarget::Id }, true);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthMask(GL_TRUE);
+    state->vtkglDepthFunc(GL_LESS);
+    this->DrawSplats(window, view, transform, options, &this->Visible, this->Ids);
+    state->vtkglDisable(GL_DEPTH_TEST);
+  }
+  this->Blend(window, view, surface);
+}
+
+void vtkAlgebraicSplatTracingOpenGL::DrawSplats(vtkOpenGLRenderWindow* window,
+  const vtkPointSurfaceView& view, const vtkAlgebraicSplatTransform& transform,
+  const vtkAlgebraicSplatOptions& options, vtkSurfaceTarget* visible, vtkSurfaceTarget& target)
+{
+  ++this->Passes;
+  vtkOpenGLState* state = window->GetState();
+  target.BindForWriting(window);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(view.Rectangle[0], view.Rectangle[1], view.Rectangle[2], view.Rectangle[3]);
+  target.Clear();
+  if (visible)
+  {
+    visible->Activate();
+  }
+  this->VertexArray->Bind();
+  for (int order = 1; order <= vtkAlgebraicSplat::MaximumOrder; ++order)
+  {
+    Group& group = this->Groups[order - 1];
+    if (group.Count == 0)
+    {
+      continue;
+    }
+    const std::string fragmentShader = "//VTK::System::Dec\n#define ORDER " +
+      std::to_string(order) + "\n" +
+      (visible ? vtkSurfaceTarget::GetInputDeclarations(visible->GetLayers(), "in") : "") +
+      vtkSurfaceTarget::GetOutputDeclarations(target.GetLayers()) + vtkFirstRoot +
+      vtkAlgebraicSplatFS;
+    vtkShaderProgram* program =
+      window->GetShaderCache()->ReadyShaderProgram(vtkAlgebraicSplatVS, fragmentShader.c_str(), "");
+    if (!program)
+    {
+      break;
+    }
+    SetView(program, view, transform);
+    program->SetUniformf("depthShift", static_cast<float>(options.DepthShift));
+    program->SetUniformf("weightFalloff", static_cast<float>(options.WeightFalloff));
+    program->SetUniformi("separateSides", options.SeparateSides);
+    program->SetUniformi("stride", group.Stride);
+    if (visible)
+    {
+      visible->SetSamplers(program, "in");
+    }
+    group.Texels->Activate();
+    program->SetUniformi("splats", group.Texels->GetTextureUnit());
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, group.Count);
+    group.Texels->Deactivate();
+  }
+  this->VertexArray->Release();
+  if (visible)
+  {
+    visible->Deactivate();
+  }
+}
+
+void vtkAlgebraicSplatTracingOpenGL::Blend(
+  vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& surface)
+{
+  ++this->Passes;
+  const bool ids = surface.Has(vtkSurfaceTarget::Id);
+  std::unique_ptr<vtkScreenPass>& pass = this->BlendPasses[surface.GetLayers()];
+  if (!pass)
+  {
+    pass.reset(new vtkScreenPass("//VTK::System::Dec\n" +
+      vtkSurfaceTarget::GetInputDeclarations(this->Sums.GetLayers(), "in") +
+      (ids ? vtkSurfaceTarget::GetInputDeclarations(this->Ids.GetLayers(), "heaviest") : "") +
+      vtkSurfaceTarget::GetOutputDeclarations(surface.GetLayers()) + vtkAlgebraicSplatBlendFS));
+  }
+  vtkShaderProgram* program = pass->Ready(window);
+  if (!program)
+  {
+    return;
+  }
+  this->Sums.Activate();
+  this->Sums.SetSamplers(program, "in");
+  if (ids)
+  {
+    this->Ids.Activate();
+    this->Ids.SetSamplers(program, "heaviest");
+  }
+  surface.BindForWriting(window);
+  const auto& r = view.Rectangle;
+  pass->Draw(window, r[0], r[1], r[2], r[3]);
+  this->Sums.Deactivate();
+  if (ids)
+  {
+    this->Ids.Deactivate();
+  }
+}

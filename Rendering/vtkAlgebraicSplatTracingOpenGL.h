@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkAlgebraicSplatTracingOpenGL
+ * @brief   the step from splats to a surface buffer
+ *
+ * Splats lie in a texture buffer for each order, of 32-bit RGBA: centre and radius; normal and
+ * least height; u and largest height; the id of the point, its lower and upper half, then 0, 0;
+ * coefficients; the colour, where there are colours. Each splat is one instance of a rectangle.
+ */
+#ifndef vtkAlgebraicSplatTracingOpenGL_h
+#define vtkAlgebraicSplatTracingOpenGL_h
+
+#include "vtkAlgebraicSplat.h"
+#include "vtkSurfaceTarget.h"
+
+#include "vtkNew.h"
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <vector>
+
+class vtkDrawableSplats;
+class vtkOpenGLBufferObject;
+class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexArrayObject;
+class vtkScreenPass;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+struct vtkAlgebraicSplatOptions;
+struct vtkAlgebraicSplatTransform;
+struct vtkPointSurfaceView;
+
+class vtkAlgebraicSplatTracingOpenGL
+{
+public:
+  using ColorSource = std::function<std::array<float, 4>(unsigned int)>;
+
+  vtkAlgebraicSplatTracingOpenGL();
+  ~vtkAlgebraicSplatTracingOpenGL();
+
+  /**
+   * Takes the splats, and a colour for each if `color` tells that of a splat's point. Returns the
+   * number of bytes sent.
+   */
+  size_t Upload(
+    vtkOpenGLRenderWindow* window, const vtkDrawableSplats& splats, const ColorSource& color);
+
+  /**
+   * Fills `surface` within the view's rectangle. It has the layer Color if and only if colours were
+   * uploaded.
+   */
+  void Run(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
+    const vtkAlgebraicSplatOptions& options, vtkSurfaceTarget& surface);
+
+  /**
+   * Passes over the splats or the image of the last run.
+   */
+  int GetPasses() const { return this->Passes; }
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  vtkAlgebraicSplatTracingOpenGL(const vtkAlgebraicSplatTracingOpenGL&) = delete;
+  void operator=(const vtkAlgebraicSplatTracingOpenGL&) = delete;
+
+  struct Group
+  {
+    int Count = 0;
+    int Stride = 0; // texels a splat
+    vtkNew<vtkOpenGLBufferObject> Buffer;
+    vtkNew<vtkTextureObject> Texels;
+  };
+
+  void DrawSplats(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
+    const vtkAlgebraicSplatTransform& transform, const vtkAlgebraicSplatOptions& options,
+    vtkSurfaceTarget* visible, vtkSurfaceTarget& target);
+  void Blend(
+    vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& surface);
+
+  std::array<Group, vtkAlgebraicSplat::MaximumOrder> Groups;
+  std::array<double, 3> Origin{};
+  vtkSurfaceTarget Visible;
+  vtkSurfaceTarget Sums;
+  vtkSurfaceTarget Ids;
+  std::map<std::vector<vtkSurfaceTarget::Layer>, std::unique_ptr<vtkScreenPass>> BlendPasses;
+  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
+  int Passes = 0;
+};
+
+#endif

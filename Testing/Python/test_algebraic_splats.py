@@ -1,0 +1,369 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkAlgebraicSplats, vtkLocallyOptimalProjection and vtkAlgebraicSplatMapper. Truth: surfaces with a formula, sums in
+plain numpy, and the double-precision ray tracer of Testing/Reference."""
+import os
+import sys
+
+import numpy as np
+import pytest
+from pointsurface import rendering, vtkAlgebraicSplatMapper, vtkAlgebraicSplats, vtkLocallyOptimalProjection
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints, vtkSMPTools
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+from vtkmodules.vtkRenderingCore import vtkActor, vtkHardwareSelector, vtkRenderer
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Reference"))
+import algebraic_splats as reference  # noqa: E402
+
+
+def cloud(positions, normals=None, **arrays):
+    poly = vtkPolyData()
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.ascontiguousarray(positions, float), deep=True))
+    poly.SetPoints(points)
+    if normals is not None:
+        poly.GetPointData().SetNormals(numpy_to_vtk(np.ascontiguousarray(normals, np.float32), deep=True))
+    for name, values in arrays.items():
+        array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+        array.SetName(name)
+        poly.GetPointData().AddArray(array)
+    return poly
+
+
+def sphere(count):
+    i = np.arange(count)
+    z = 1 - (2 * i + 1) / count
+    r, a = np.sqrt(1 - z * z), np.pi * (1 + 5 ** 0.5) * i
+    x = np.stack([r * np.cos(a), r * np.sin(a), z], axis=1)
+    return cloud(x, x)
+
+
+def fit(poly, **properties):
+    splats = vtkAlgebraicSplats()
+    splats.SetInputData(poly)
+    for name, value in properties.items():
+        getattr(splats, "Set" + name)(value)
+    splats.Update()
+    return splats
+
+
+def array(poly, name):
+    return vtk_to_numpy(poly.GetPointData().GetArray(name))
+
+
+def positions(poly):
+    return vtk_to_numpy(poly.GetPoints().GetData())
+
+
+def drawn(splats, size=(96, 96), **properties):
+    mapper, actor, renderer = vtkAlgebraicSplatMapper(), vtkActor(), vtkRenderer()
+    mapper.SetInputData(splats)
+    mapper.ScalarVisibilityOff()
+    mapper.RecordPointIdsOn()
+    for name, value in properties.items():
+        getattr(mapper, "Set" + name)(value)
+    actor.SetMapper(mapper)
+    renderer.AddActor(actor)
+    window = rendering.offscreen_window(renderer, size)
+    renderer.ResetCamera()
+    return mapper, renderer, window
+
+
+def surface_buffer(mapper):
+    buffer = vtkImageData()
+    assert mapper.ReadSurfaceBuffer(buffer)
+    return lambda name: array(buffer, name)
+
+
+def graph(order, count=4000, size=1.0, seed=1):
+    """Points of a polynomial z(x, y) of an order, without noise, and the polynomial."""
+    random = np.random.default_rng(seed)
+    c = {(a, b): random.uniform(-0.3, 0.3) for a in range(order + 1) for b in range(order + 1 - a)}
+    height = lambda x, y: sum(k * x ** a * y ** b for (a, b), k in c.items())
+    xy = random.uniform(-size, size, (count, 2))
+    return cloud(np.column_stack([xy, height(xy[:, 0], xy[:, 1])]), np.tile([0, 0, 1.0], (count, 1))), height
+
+
+def patch_points(splats, i, uv):
+    """Points of a splat's patch at (u, v) in units of its disc."""
+    n, u = array(splats, "Normals")[i].astype(float), array(splats, "SplatAxes")[i].astype(float)
+    order, radius = array(splats, "SplatOrder")[i], float(array(splats, "radius")[i])
+    c = array(splats, "SplatCoefficients")[i].astype(float)
+    terms = [uv[:, 0] ** (d - b) * uv[:, 1] ** b for d in range(order + 1) for b in range(d + 1)]
+    height = sum(k * t for k, t in zip(c, terms))
+    return positions(splats)[i] + radius * (
+        np.outer(uv[:, 0], u) + np.outer(uv[:, 1], np.cross(n, u)) + np.outer(height, n))
+
+
+def test_recovers_polynomials_of_a_plane():
+    # over a plane that is the polynomial's own: a height over another plane is no polynomial
+    uv = np.random.default_rng(5).uniform(-1, 1, (200, 2)) * 0.7
+    for order in (1, 2, 3, 4):
+        random = np.random.default_rng(order)
+        half = random.uniform(-1, 1, (3000, 2))
+        xy = np.vstack([half, -half])  # symmetric: an odd polynomial leaves the plane level
+        odd = [(a, b) for a in range(order + 1) for b in range(order + 1 - a)
+               if a % 2 == 1 and b % 2 == 0 and a + b == order] or [(0, 0)]
+        even = [(a, b) for a in range(order + 1) for b in range(order + 1 - a) if a + b == order]
+        terms = even if order % 2 == 0 else odd
+        height = lambda x, y: sum(0.05 * (i + 1) * x ** a * y ** b for i, (a, b) in enumerate(terms)) \
+            if order > 1 else 0 * x
+        z = height(xy[:, 0], xy[:, 1])
+        poly = cloud(np.vstack([[0, 0, height(0.0, 0.0)], np.column_stack([xy, z])]))
+        poly.GetPointData().SetNormals(numpy_to_vtk(np.tile(np.float32([0, 0, 1]), (6001, 1)), deep=True))
+        splats = fit(poly, Order=order, NumberOfNeighbors=601, Selection=0).GetOutput()
+        normal = array(splats, "Normals")[0]
+        if abs(normal[2]) < 1 - 1e-12:
+            continue  # the plane is tilted by the neighbours: see the next test
+        p = patch_points(splats, 0, uv)
+        assert np.abs(p[:, 2] - height(p[:, 0], p[:, 1])).max() < 2e-6, order
+
+
+def test_error_falls_with_the_order():
+    """The error of a patch over a disc of the size h is of the order h^(m + 1) (section 2.4)."""
+    for order in (1, 2, 3, 4):
+        errors = []
+        sizes = []
+        for count in (2000, 16000):
+            splats = fit(sphere(count), Order=order, NumberOfNeighbors=48, Selection=1).GetOutput()
+            uv = np.random.default_rng(0).uniform(-0.7, 0.7, (20, 2))
+            distance = [np.abs(np.linalg.norm(patch_points(splats, i, uv), axis=1) - 1).mean()
+                        for i in range(0, splats.GetNumberOfPoints(), max(1, splats.GetNumberOfPoints() // 50))]
+            errors.append(np.mean(distance))
+            sizes.append(array(splats, "FeatureSize").mean())
+        slope = np.log(errors[0] / errors[1]) / np.log(sizes[0] / sizes[1])
+        print("order", order, "errors", errors, "slope", slope)
+        # of a sphere, which is even, odd orders gain nothing over the even one below, and these gain one more
+        expected = {1: 2, 2: 4, 3: 4, 4: 6}[order]
+        assert errors[1] < 1e-6 or slope > expected - 0.6
+
+
+def test_fit_is_weighted_least_squares():
+    """Of one splat, against the normal equations in rational-free long doubles: the paper's two minimisations."""
+    random = np.random.default_rng(3)
+    x = random.uniform(-1, 1, (600, 2))
+    z = 0.3 * np.sin(2 * x[:, 0]) * np.cos(1.5 * x[:, 1]) + 0.01 * random.standard_normal(600)
+    poly = cloud(np.column_stack([x, z]), np.tile([0, 0, 1.0], (600, 1)))
+    k = 60
+    for order in (1, 2, 3, 4):
+        splats = fit(poly, Order=order, NumberOfNeighbors=k, Selection=0, ExtrapolationLimit=0).GetOutput()
+        for i in range(0, 600, 97):
+            center = np.longdouble(positions(poly)[i])
+            d = np.longdouble(positions(poly)) - center
+            near = np.argsort((d * d).sum(axis=1))[:k]
+            p = d[near]
+            # the plane: weights about the projection of the point onto the plane
+            mean = p.mean(axis=0)
+            q = p - mean
+            n = np.linalg.eigh((q.T @ q).astype(float))[1][:, 0]
+            h = np.sqrt(((p - np.outer(p @ n, n)) ** 2).sum(axis=1)).mean()
+            offset = mean @ n
+            for _ in range(200):
+                w = np.exp(-((p - offset * n) ** 2).sum(axis=1) / h ** 2)
+                mean = (w[:, None] * p).sum(axis=0) / w.sum()
+                q = (p - mean) * np.sqrt(w)[:, None]
+                n = np.linalg.eigh((q.T @ q).astype(float))[1][:, 0]
+                offset = mean @ n
+            if n[2] < 0:
+                n, offset = -n, -offset
+            assert np.allclose(n.astype(float), array(splats, "Normals")[i], atol=2e-6)
+            assert np.allclose((center + offset * n).astype(float), positions(splats)[i], atol=1e-7)
+            h = np.sqrt(((p - np.outer(p @ n, n)) ** 2).sum(axis=1)).mean()
+            assert abs(h / array(splats, "FeatureSize")[i] - 1) < 1e-5
+            # the polynomial, by normal equations in extended precision
+            u = np.longdouble(array(splats, "SplatAxes")[i])
+            radius = np.longdouble(array(splats, "radius")[i])
+            a, b = p @ u / radius, p @ np.cross(n, u) / radius
+            terms = np.stack([a ** (m - j) * b ** j for m in range(order + 1) for j in range(m + 1)], axis=1)
+            w = np.exp(-(p * p).sum(axis=1) / h ** 2)
+            f = (p @ n - offset) / radius
+            lhs, rhs = terms.T @ (w[:, None] * terms), terms.T @ (w * f)
+            c = np.linalg.solve(lhs.astype(float), rhs.astype(float))
+            for _ in range(3):  # iterative refinement with the residual in extended precision
+                c = c + np.linalg.solve(lhs.astype(float), (rhs - lhs @ np.longdouble(c)).astype(float))
+            assert np.allclose(c, array(splats, "SplatCoefficients")[i], atol=5e-5 * max(1, np.abs(c).max()))
+
+
+def test_hole_free_selection_covers_every_point():
+    poly = sphere(20000)
+    for quality in (0.5, 1.0):
+        splats = fit(poly, Quality=quality).GetOutput()
+        share = splats.GetNumberOfPoints() / 20000
+        print("quality", quality, "share", share)
+        chosen = positions(poly)[array(splats, "InputPointIds")]
+        reach = quality * array(splats, "FeatureSize")
+        distances = np.linalg.norm(positions(poly)[::7, None] - chosen[None], axis=2)
+        assert (distances <= reach * (1 + 1e-6)).any(axis=1).all()
+    assert share < 0.1  # the paper's, at 1
+
+
+def test_same_for_any_threads_and_other_for_another_seed():
+    poly = sphere(2000)
+
+    def run(seed, selection):
+        splats = fit(poly, Seed=seed, Selection=selection, NumberOfSplats=100).GetOutput()
+        return np.concatenate([positions(splats).ravel(), array(splats, "SplatCoefficients").ravel()]).tobytes()
+
+    for selection in (1, 2):
+        first = run(1, selection)
+        for backend in ("Sequential", "STDThread", "TBB"):
+            if vtkSMPTools.SetBackend(backend):
+                for threads in (1, 3):
+                    vtkSMPTools.Initialize(threads)
+                    assert run(1, selection) == first
+        vtkSMPTools.Initialize()
+        assert run(2, selection) != first
+
+
+def test_adaptive_order_meets_its_tolerance():
+    x = np.random.default_rng(1).uniform(-1, 1, (8000, 2))
+    z = np.where(x[:, 0] < 0, 0, x[:, 0] ** 3)
+    poly = cloud(np.column_stack([x, z]), np.tile([0, 0, 1.0], (8000, 1)))
+    splats = fit(poly, Order=4, Tolerance=1e-5, ExtrapolationLimit=0).GetOutput()
+    orders, residuals = array(splats, "SplatOrder"), array(splats, "Residual")
+    assert (residuals[orders < 4] <= 1e-5 * (1 + 1e-6)).all()
+    assert set(orders[positions(splats)[:, 0] < -0.3]) == {1}
+    assert orders[positions(splats)[:, 0] > 0.3].mean() > 2
+    assert len(set(orders)) > 2
+
+
+def test_errors_of_equations_3_and_4():
+    poly = sphere(3000)
+    filter = fit(poly, Order=2, ComputeErrors=True, Quality=1.0)
+    splats, errors = filter.GetOutput(0), array(filter.GetOutput(1), "ApproximationError")
+    expected = np.zeros(3000)
+    for i in range(splats.GetNumberOfPoints()):
+        d = positions(poly) - positions(splats)[i]
+        n, u = array(splats, "Normals")[i].astype(float), array(splats, "SplatAxes")[i].astype(float)
+        radius, h = float(array(splats, "radius")[i]), float(array(splats, "FeatureSize")[i])
+        a, b = d @ u / radius, d @ np.cross(n, u) / radius
+        c = array(splats, "SplatCoefficients")[i].astype(float)
+        height = sum(k * t for k, t in zip(c, (1, a, b, a * a, a * b, b * b)))
+        inside = (d * d).sum(axis=1) <= radius ** 2
+        expected += np.where(inside, np.abs(d @ n - radius * height) * np.exp(-(d * d).sum(axis=1) / h ** 2), 0)
+    assert np.allclose(errors, expected, atol=2e-6 * expected.max() + 1e-8)
+    assert filter.GetTotalError() == pytest.approx(expected.sum(), rel=1e-4)
+
+
+def test_input_that_is_hard(capfd):
+    line = np.zeros((50, 3))
+    line[:, 0] = np.arange(50)
+    splats = fit(cloud(line), Order=3)
+    assert "lower order" in capfd.readouterr().err and np.isfinite(array(splats.GetOutput(), "SplatCoefficients")).all()
+    assert fit(vtkPolyData()).GetOutput().GetNumberOfPoints() == 0
+    one = fit(cloud([[1, 2, 3]])).GetOutput()
+    assert one.GetNumberOfPoints() == 1
+    capfd.readouterr()
+    x = positions(sphere(1000)).copy()
+    x[5] = np.nan
+    fit(cloud(x, x))
+    assert "NaN" in capfd.readouterr().err
+    # all in units of the cloud, whatever these are
+    for scale in (1e-12, 1e12):
+        small = fit(cloud(positions(sphere(1000)) * scale, positions(sphere(1000)))).GetOutput()
+        plain = fit(sphere(1000)).GetOutput()
+        assert np.allclose(array(small, "SplatCoefficients"), array(plain, "SplatCoefficients"), atol=1e-5)
+
+
+def test_projection_spreads_points_evenly():
+    random = np.random.default_rng(2)
+    x = random.standard_normal((6000, 3))
+    x /= np.linalg.norm(x, axis=1, keepdims=True)
+    projection = vtkLocallyOptimalProjection()
+    projection.SetInputData(cloud(x, x))
+    projection.SetNumberOfPoints(300)
+    projection.Update()
+    y = positions(projection.GetOutput())
+    assert len(y) == 300 and np.abs(np.linalg.norm(y, axis=1) - 1).max() < 0.05
+
+    def spread(p):
+        d = np.linalg.norm(p[:, None] - p[None], axis=2)
+        nearest = np.sort(d, axis=1)[:, 1]
+        return nearest.min() / nearest.mean()
+
+    print("iterations", projection.GetNumberOfIterations(), "spread", spread(y), "random", spread(x[:300]))
+    assert spread(y) > 0.5 > 5 * spread(x[:300])
+    nearest = np.linalg.norm(y[:, None] - x[None], axis=2).argmin(axis=1)
+    assert (array(projection.GetOutput(), "InputPointIds") == nearest).mean() > 0.99
+
+
+@pytest.mark.parametrize("backend", [1, 2])
+def test_agrees_with_the_reference(backend):
+    poly = sphere(1500)
+    for order, scene in ((1, {}), (2, {"WeightFalloff": 1.0, "SeparateSides": False}), (3, {}), (4, {"DepthShift": 0.05})):
+        splats = fit(poly, Order=order, NumberOfNeighbors=40).GetOutput()
+        mapper, renderer, window = drawn(splats, Backend=backend, **scene)
+        if order == 4:
+            renderer.GetActiveCamera().ParallelProjectionOn()
+        window.Render()
+        truth = reference.draw(splats, renderer, (96, 96), mapper.GetDepthShift(), mapper.GetWeightFalloff(),
+                               mapper.GetSeparateSides())
+        buffer = surface_buffer(mapper)
+        covered = truth["depth"] > 0
+        differ = ((buffer("Depth") > 0) != covered) | (buffer("PointIds") != truth["id"])
+        same = covered & ~differ & ~truth["close"]
+        print("order", order, "covered", covered.sum(), "differ", (differ & ~truth["close"]).sum(), "close",
+              truth["close"].sum())
+        assert covered.sum() > 1000
+        assert (differ & ~truth["close"]).sum() <= 0.001 * covered.sum()
+        assert np.abs(buffer("Normals") - truth["normal"])[same].max() < 1e-4
+        assert np.abs(buffer("Depth") / np.where(covered, truth["depth"], 1) - 1)[same].max() < 1e-4
+
+
+@pytest.mark.parametrize("backend", [1, 2])
+def test_sphere_is_closed_round_and_selectable(backend, tmp_path):
+    count = 8000
+    poly = sphere(count)
+    colors = numpy_to_vtk(np.tile(np.uint8([200, 100, 50]), (count, 1)), deep=True)
+    colors.SetName("colors")
+    poly.GetPointData().SetScalars(colors)
+    path = str(tmp_path / "splats.vtp")
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputData(fit(poly, Order=2).GetOutput())
+    writer.SetFileName(path)
+    writer.Write()
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(path)
+    reader.Update()
+    splats = reader.GetOutput()
+    mapper, renderer, window = drawn(splats, (128, 128), Backend=backend)
+    mapper.ScalarVisibilityOn()
+    window.Render()
+    buffer = surface_buffer(mapper)
+    depth = buffer("Depth")
+    camera = renderer.GetActiveCamera()
+    scale = np.tan(np.radians(camera.GetViewAngle() / 2))
+    y, x = np.mgrid[0:128, 0:128]
+    ray = np.stack([((2 * x + 1) / 128 - 1) * scale, ((2 * y + 1) / 128 - 1) * scale, -np.ones((128, 128))], axis=-1)
+    ray = ray.reshape(-1, 3)
+    eye = camera.GetDistance()
+    a, b, c = (ray ** 2).sum(axis=1), ray[:, 2] * eye, eye ** 2 - 1
+    inside = b * b - a * c > 0
+    t = (-b - np.sqrt(np.where(inside, b * b - a * c, 0))) / a
+    both = inside & (depth > 0)
+    normal = ray * t[:, None] + [0, 0, eye]
+    assert (depth > 0)[inside & (np.linalg.norm(normal[:, :2], axis=1) < 0.96)].all()  # closed, but for the rim
+    assert ((depth > 0) != inside).sum() <= 0.01 * inside.sum()
+    middle = both & (np.linalg.norm(normal[:, :2], axis=1) < 0.7)
+    cosine = (normal * buffer("Normals")).sum(axis=1)
+    print("depth", np.abs(depth - t)[middle].max(), "cosine", cosine[middle].min())
+    assert np.abs(depth - t)[middle].max() < 5e-3
+    assert cosine[middle].min() > 0.999
+    assert np.allclose(buffer("Colors")[both, :3], np.array([200, 100, 50]) / 255, atol=1e-4)
+
+    selector = vtkHardwareSelector()
+    selector.SetRenderer(renderer)
+    selector.SetArea(64, 64, 64, 64)
+    selector.SetFieldAssociation(0)
+    node = selector.Select().GetNode(0)
+    splat = node.GetSelectionList().GetValue(0)
+    point = array(splats, "InputPointIds")[splat]
+    assert np.linalg.norm(positions(poly)[point] - [0, 0, 1]) < 2 * array(splats, "radius").max()
+    assert mapper.GetLastFramePointsDrawn() in (0, splats.GetNumberOfPoints())
+
+
+def test_input_without_splats_is_an_error(capfd):
+    mapper, renderer, window = drawn(sphere(100), (32, 32))
+    window.Render()
+    assert "vtkAlgebraicSplats" in capfd.readouterr().err
