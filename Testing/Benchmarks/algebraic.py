@@ -1,0 +1,294 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Table 2 of the algebraic splats' paper (Bolla, Narayanan), of this machine, with peers beside it.
+
+    python3 Testing/Benchmarks/algebraic.py [--output [FILE]] [--tests PROGRAM] [MODEL ...]
+
+A process of its own for each model. PYTHONPATH must lead to the package pointsurface. The models lie in ../shared/data
+beside the project, or in the folder POINTSURFACE_SHARED_DATA; those that are not there are left out, the sphere is
+generated. PROGRAM is the C++ tests' (build/bin/vtkPointSurfaceCxxTests); with it the table of root finders is made too.
+"""
+
+import argparse
+import json
+import os
+import subprocess
+import sys
+import time
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPointGaussianMapper, vtkPolyDataMapper, vtkRenderer
+
+from pointsurface import vtkAlgebraicSplatMapper, vtkAlgebraicSplats, vtkPullPushMapper
+from pointsurface.rendering import offscreen_window, read_color, renderer_string, write_whole
+from pointsurface.sampling import sample_by_area
+from pointsurface.timing import time_frames
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+DATA = os.environ.get("POINTSURFACE_SHARED_DATA", os.path.join(HERE, "..", "..", "..", "shared", "data"))
+MODELS = ("armadillo", "dragon", "buddha", "lucy", "bunny", "horse", "igea", "fandisk", "sphere")
+SIZE = (512, 512)
+FRAMES = 5
+POINTS = 100_000  # sampled of each mesh
+FRAME_FLOATS = 10  # centre, normal, u, radius
+PLANE_FLOATS = 7  # a plane splat: centre, normal, radius
+SAMPLES = 4000  # of the distance to the mesh
+GROUPS = {  # heading: properties of vtkAlgebraicSplats, orders
+    "hole-free, s = 1": ({"Quality": 1.0}, (1, 2, 3, 4)),
+    "LOP, 10%": ({"Selection": 2, "share": 0.10}, (2, 3)),
+    "LOP, 5%": ({"Selection": 2, "share": 0.05}, (2, 3)),
+    "planes, s = 0.25": ({"Quality": 0.25}, (1,)),
+}
+DISC = """//VTK::Color::Impl
+if (dot(offsetVCVSOutput, offsetVCVSOutput) > 1.0) discard;
+"""
+
+
+def read_mesh(name):
+    if name == "sphere":
+        source = vtkSphereSource()
+        source.SetThetaResolution(400)
+        source.SetPhiResolution(200)
+    else:
+        path = os.path.join(DATA, "meshes", f"{name}.vtp")
+        if not os.path.exists(path):
+            return None
+        source = vtkXMLPolyDataReader()
+        source.SetFileName(path)
+    source.Update()
+    return source.GetOutput()
+
+
+def patch_points(splats, overlap, random):
+    """Points of the patches, within what each stands for, in the measure of their discs."""
+    get = lambda name: vtk_to_numpy(splats.GetPointData().GetArray(name)).astype(float)
+    i = random.integers(splats.GetNumberOfPoints(), size=SAMPLES)
+    angle, r = random.uniform(0, 2 * np.pi, SAMPLES), np.sqrt(random.uniform(0, 1, SAMPLES)) / overlap
+    u, v = r * np.cos(angle), r * np.sin(angle)
+    n, axis, radius, c = get("Normals")[i], get("SplatAxes")[i], get("radius")[i], get("SplatCoefficients")[i]
+    terms = [u ** (d - b) * v ** b for d in range(5) for b in range(d + 1)]
+    height = sum(c[:, k] * terms[k] for k in range(c.shape[1]))
+    centers = vtk_to_numpy(splats.GetPoints().GetData())[i].astype(float)
+    return centers + radius[:, None] * (
+        u[:, None] * axis + v[:, None] * np.cross(n, axis) + height[:, None] * n)
+
+
+def inner(mask):
+    """The pixels of a silhouette that are not at its rim, where a mesh and points differ by half a pixel."""
+    result = mask.copy()
+    for axis in (0, 1):
+        for step in (-1, 1):
+            result &= np.roll(mask, step, axis)
+    return result
+
+
+def measure(name):
+    """All figures of a model as JSON."""
+    mesh = read_mesh(name)
+    diagonal = mesh.GetLength()
+    cloud = sample_by_area(mesh, POINTS)
+    distance = vtkImplicitPolyDataDistance()
+    distance.SetInput(mesh)
+    random = np.random.default_rng(1)
+    actor, renderer = vtkActor(), vtkRenderer()
+    renderer.AddActor(actor)
+    renderer.SetBackground(0, 0, 1)
+    actor.GetProperty().LightingOff()
+    window = offscreen_window(renderer, SIZE)
+    renderer.ResetCamera(mesh.GetBounds())
+    renderer.GetActiveCamera().Zoom(1.4)
+
+    def draw(mapper):
+        mapper.ScalarVisibilityOff()
+        actor.SetMapper(mapper)
+        mask = read_color(window)[..., 0] > 0.5
+        frame = time_frames(window, renderer, frames=FRAMES, warm_up=1)["frame"]
+        renderer.GetActiveCamera().Azimuth(-FRAMES - 1)
+        return mask, frame
+
+    meshes = vtkPolyDataMapper()
+    meshes.SetInputData(mesh)
+    mask, frame = draw(meshes)
+    inside = inner(mask)
+    rows = [{"what": "mesh", "order": "", "count": mesh.GetNumberOfPolys(), "frame": frame}]
+    pull_push = vtkPullPushMapper()
+    gaussian = vtkPointGaussianMapper()
+    gaussian.SetScaleArray("radius")
+    gaussian.SetScaleFactor(1)
+    gaussian.EmissiveOff()
+    gaussian.SetSplatShaderCode(DISC)
+    gaussian.SetTriangleScale(1)
+    for what, mapper in (("vtkPullPushMapper", pull_push), ("vtkPointGaussianMapper", gaussian)):
+        mapper.SetInputData(cloud)
+        drawn, frame = draw(mapper)
+        rows.append({"what": what, "order": "", "count": POINTS, "bytes": 4 * PLANE_FLOATS * POINTS, "frame": frame,
+                     "unfilled": float((inside & ~drawn).sum() / inside.sum())})
+    for what, (properties, orders) in GROUPS.items():
+        for order in orders:
+            splats = vtkAlgebraicSplats()
+            splats.SetInputData(cloud)
+            splats.SetOrder(order)
+            for key, value in properties.items():
+                if key == "share":
+                    splats.SetNumberOfSplats(round(value * POINTS))
+                else:
+                    getattr(splats, "Set" + key)(value)
+            start = time.perf_counter()
+            splats.Update()
+            seconds = time.perf_counter() - start
+            output = splats.GetOutput()
+            points = patch_points(output, splats.GetOverlap(), random)
+            off = np.abs([distance.EvaluateFunction(*p) for p in points])
+            mapper = vtkAlgebraicSplatMapper()
+            mapper.SetInputData(output)
+            drawn, frame = draw(mapper)
+            orders_drawn = vtk_to_numpy(output.GetPointData().GetArray("SplatOrder")).astype(int)
+            floats = PLANE_FLOATS * len(orders_drawn) if order == 1 else int(
+                (FRAME_FLOATS + (orders_drawn + 1) * (orders_drawn + 2) // 2).sum())
+            rows.append({"what": what, "order": order, "count": output.GetNumberOfPoints(), "bytes": 4 * floats,
+                         "fit": seconds, "frame": frame, "error": float(off.mean() / diagonal),
+                         "unfilled": float((inside & ~drawn).sum() / inside.sum())})
+    print(json.dumps({"rows": rows, "renderer": renderer_string(window)}))
+
+
+def sphere_at_zoom():
+    """Fig. 1: spheres of linear and of quadratic splats, the mean angle between their normals and the sphere's at growing
+    zoom, as Markdown rows."""
+    source = vtkSphereSource()
+    source.SetRadius(1)
+    source.SetThetaResolution(400)
+    source.SetPhiResolution(200)
+    source.Update()
+    cloud = sample_by_area(source.GetOutput(), 20_000)
+    lines = []
+    for count in (3200, 52):
+        for order in (1, 2):
+            splats = vtkAlgebraicSplats()
+            splats.SetInputData(cloud)
+            splats.SetSelectionToFixedCount()
+            splats.SetNumberOfSplats(count)
+            splats.SetOrder(order)
+            mapper, actor, renderer = vtkAlgebraicSplatMapper(), vtkActor(), vtkRenderer()
+            mapper.SetInputConnection(splats.GetOutputPort())
+            actor.SetMapper(mapper)
+            renderer.AddActor(actor)
+            window = offscreen_window(renderer, (256, 256))
+            camera = renderer.GetActiveCamera()
+            camera.SetPosition(0, 0, 4)
+            angles = []
+            for zoom in (1, 4, 16):
+                camera.SetViewAngle(32 / zoom)
+                renderer.ResetCameraClippingRange()
+                window.Render()
+                buffer = vtkImageData()
+                mapper.ReadSurfaceBuffer(buffer)
+                normals = vtk_to_numpy(buffer.GetPointData().GetArray("Normals")).reshape(256, 256, 3)
+                depth = vtk_to_numpy(buffer.GetPointData().GetArray("Depth")).reshape(256, 256)
+                y, x = (np.mgrid[0:256, 0:256] + 0.5) / 128 - 1
+                scale = np.tan(np.radians(camera.GetViewAngle() / 2))
+                ray = np.stack([x * scale, y * scale, -np.ones_like(x)], axis=-1)
+                a, b = (ray ** 2).sum(axis=-1), -4.0
+                square = b * b - a * 15
+                t = (-b - np.sqrt(np.maximum(square, 0))) / a
+                truth = ray * t[..., None] + [0, 0, 4]
+                both = (square > 0.5) & (depth > 0)
+                cosine = (truth * normals).sum(axis=-1)[both]
+                angles.append(np.degrees(np.arccos(np.clip(cosine, -1, 1))).mean())
+            lines.append(f"| {count} | {order} | " + " | ".join(f"{angle:.2f}" for angle in angles) + " |")
+    return "\n".join(lines)
+
+
+def million_points():
+    """Seconds for the fit and hole-free selection of a million points, order 3."""
+    source = vtkSphereSource()
+    source.SetThetaResolution(400)
+    source.SetPhiResolution(200)
+    source.Update()
+    splats = vtkAlgebraicSplats()
+    splats.SetInputData(sample_by_area(source.GetOutput(), 1_000_000))
+    start, cpu = time.perf_counter(), time.process_time()
+    splats.Update()
+    return (f"A million points of a sphere, order 3, hole-free: {time.perf_counter() - start:.1f} s by the clock, "
+            f"{time.process_time() - cpu:.1f} s of processors' time, "
+            f"{splats.GetOutput().GetNumberOfPoints()} splats.")
+
+
+def make_report(models, tests):
+    lines, renderer = [], ""
+    for name in models:
+        if read_mesh(name) is None:
+            continue
+        print(name, file=sys.stderr, flush=True)
+        command = [sys.executable, os.path.abspath(__file__), "--measure", name]
+        result = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
+        measured = json.loads(result.stdout.splitlines()[-1])
+        renderer = measured["renderer"]
+        for row in measured["rows"]:
+            show = lambda key, form: form.format(row[key]) if key in row else ""
+            share = "" if row["what"] == "mesh" else f"{100 * row['count'] / POINTS:.1f}"
+            kib = f"{row['bytes'] / 1024:.0f}" if "bytes" in row else ""
+            lines.append(
+                f"| {name} | {row['what']} | {row['order']} | {row['count']} | {share} | {kib} "
+                f"| {show('fit', '{:.1f}')} | {row['frame']:.0f} "
+                f"| {'%.4f' % (100 * row['error']) if 'error' in row else ''} "
+                f"| {'%.3f' % (100 * row['unfilled']) if 'unfilled' in row else ''} |")
+    text = f"""# Algebraic splats, measured
+
+Table 2 of Bolla and Narayanan as ours, on {renderer}, {SIZE[0]} x {SIZE[1]} pixels. {POINTS} points are sampled
+uniformly by area of each mesh. Splats are vtkAlgebraicSplats' with its defaults; bytes count 32-bit floats: {PLANE_FLOATS}
+for a plane (and for a point with normal and radius), {FRAME_FLOATS} and the coefficients for a polynomial. Fit: seconds with
+the selection. Frame: the median of {FRAMES} by the clock, camera moving. Error: mean distance of the patches, within what
+each stands for, from the mesh, in percent of the bounding box's diagonal. Unfilled: of the pixels within the mesh's
+silhouette, those at its rim apart. Armadillo, dragon, buddha, lucy and bunny are of the Stanford University Computer
+Graphics Laboratory.
+
+| model | what | order | splats, points or triangles | share, % | KiB | fit, s | frame, ms | error, % | unfilled, % |
+| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |
+""" + "\n".join(lines) + f"""
+
+{million_points()}
+
+## Fig. 1: a sphere at growing zoom
+
+Mean angle between the normals drawn and the sphere's, in degrees, of splats by LOP.
+
+| splats | order | zoom 1 | zoom 4 | zoom 16 |
+| ---: | ---: | ---: | ---: | ---: |
+{sphere_at_zoom()}
+"""
+    if tests:
+        result = subprocess.run([tests, "TestPolynomialRoots", "200000"], stdout=subprocess.PIPE, text=True, check=True)
+        text += """
+## Root finders
+
+The first root in [0, 1], judged by Sturm's theorem in a hundred digits. Hard: double, triple and nearly multiple roots,
+leading coefficients that vanish, coefficients from 1e-12 to 1e12, rays that graze. Nanoseconds are of one thread.
+
+""" + "\n".join(line for line in result.stdout.splitlines() if line.startswith("|")) + "\n"
+    return text
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--output", nargs="?", const=os.path.join(HERE, "algebraic.md"), metavar="FILE",
+                        help="write the report to a file")
+    parser.add_argument("--tests", metavar="PROGRAM", help="the C++ tests' program, for the table of root finders")
+    parser.add_argument("--measure", metavar="MODEL", help=argparse.SUPPRESS)
+    parser.add_argument("models", nargs="*", default=MODELS, metavar="MODEL")
+    arguments = parser.parse_args()
+    if arguments.measure:
+        measure(arguments.measure)
+        return
+    report = make_report(arguments.models or MODELS, arguments.tests)
+    print(report, end="")
+    if arguments.output:
+        write_whole(arguments.output, report.encode())
+
+
+if __name__ == "__main__":
+    main()
