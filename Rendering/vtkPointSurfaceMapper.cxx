@@ -28,6 +28,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLActor.h"
 #include "vtkOpenGLCamera.h"
+#include "vtkOpenGLError.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLRenderTimer.h"
@@ -204,12 +205,32 @@ void vtkPointSurfaceMapper::AddArrayNames(std::vector<std::string>& names)
   }
 }
 
+namespace
+{
+/// Clears OpenGL's errors; returns their names. VTK's macros do so in debug builds alone.
+std::string TakeOpenGLErrors()
+{
+  std::string errors;
+  for (int i = 0; i < 16; ++i) // a lost context never runs out of them
+  {
+    const GLenum error = glGetError();
+    if (error == GL_NO_ERROR)
+    {
+      break;
+    }
+    errors += std::string(errors.empty() ? "" : ", ") + vtkOpenGLStrError(error);
+  }
+  return errors;
+}
+}
+
 void vtkPointSurfaceMapper::UpdateCameraShiftScale(vtkRenderer* renderer, vtkActor* actor)
 {
   // The first virtual function after the window is registered. When a mapper moves from one window
   // to another it releases in the old one's context, and windows without PopContext leave that
   // context current.
   renderer->GetRenderWindow()->MakeCurrent();
+  TakeOpenGLErrors(); // of others
   this->Internals->FrameTime.Modified();
   this->LastFrameBytesUploaded = 0;
   this->LastFrameSurfaceBytesUploaded = 0;
@@ -474,6 +495,14 @@ void vtkPointSurfaceMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
   // levels of detail go by it
   this->TimerQuery->ReusableStop();
   this->TimeToDraw = std::max<double>(this->TimerQuery->GetReusableElapsedSeconds(), 1e-4);
+  const std::string errors = TakeOpenGLErrors();
+  if (!errors.empty())
+  {
+    vtkErrorMacro("OpenGL reports errors while this cloud is drawn: "
+      << errors << "; the picture may be wrong. What the driver can do is told by "
+      << "vtkRenderWindow::ReportCapabilities; a smaller window or a lower Supersampling takes "
+         "less memory.");
+  }
 }
 
 std::set<std::string> vtkPointSurfaceMapper::GetBufferNames() const
