@@ -534,9 +534,9 @@ void vtkPointSurfaceMapper::DrawBlocks(
   vtkRenderer* renderer, vtkActor* actor, const vtkPointBlockGroup& blocks)
 {
   const vtkPointSurfaceView view = this->GetView(renderer, actor, blocks);
-  const auto rectangle = view.GetPixelRectangle();
+  const auto rectangle = view.GetViewportRectangle();
   std::copy(rectangle.begin(), rectangle.end(), this->LastFrameRectangle);
-  if (view.Ranges.empty() || view.Rectangle[2] <= 0 || view.Rectangle[3] <= 0)
+  if (view.Ranges.empty() || rectangle[2] <= 0 || rectangle[3] <= 0)
   {
     return;
   }
@@ -706,7 +706,8 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(
   }
   if (!view.Ranges.empty())
   {
-    view.SetExtent(modelToEye, GetBoundsOf(blocks, points.GetBounds()).data());
+    view.SetExtent(modelToEye, GetBoundsOf(blocks, points.GetBounds()).data(),
+      vtkTextureObject::GetMaximumTextureSize(this->Internals->Window));
   }
   return view;
 }
@@ -915,18 +916,21 @@ void vtkPointSurfaceMapper::SetMapperShaderParameters(
   const vtkPointSurfaceView& view = this->Internals->Current->View;
   vtkShaderProgram* program = helper.Program;
   this->Internals->Current->Target.SetSamplers(program, "ps");
-  program->SetUniform2i("psOrigin", this->Internals->ViewportOrigin);
+  const int origin[2] = { this->Internals->ViewportOrigin[0] - view.Rim,
+    this->Internals->ViewportOrigin[1] - view.Rim };
+  program->SetUniform2i("psOrigin", origin);
   program->SetUniformi("psHasCoverage", view.Supersampling > 1);
   const auto pixels = view.GetPixelRectangle();
   const int end[2] = { pixels[0] + pixels[2], pixels[1] + pixels[3] };
   program->SetUniform2i("psBegin", pixels.data());
   program->SetUniform2i("psEnd", end);
+  const auto drawn = view.GetViewportRectangle();
   float rectangle[4];
   for (int k = 0; k < 2; ++k)
   {
-    const float size = static_cast<float>(view.Size[k] / view.Supersampling);
-    rectangle[k] = 2.0f * pixels[k] / size - 1.0f;
-    rectangle[2 + k] = 2.0f * (pixels[k] + pixels[2 + k]) / size - 1.0f;
+    const float size = static_cast<float>(view.Size[k] / view.Supersampling - 2 * view.Rim);
+    rectangle[k] = 2.0f * drawn[k] / size - 1.0f;
+    rectangle[2 + k] = 2.0f * (drawn[k] + drawn[2 + k]) / size - 1.0f;
   }
   program->SetUniform4f("psRectangle", rectangle);
   vtkNew<vtkMatrix4x4> matrix;
@@ -996,9 +1000,9 @@ bool vtkPointSurfaceMapper::ReadSurfaceBuffer(vtkImageData* buffer)
   internals.Window->MakeCurrent();
   vtkOpenGLRenderWindow* window = internals.Window;
   vtkSurfaceTarget& target = internals.Current->Target;
-  const auto rectangle = internals.Current->View.GetPixelRectangle();
-  buffer->Initialize();
-  buffer->SetDimensions(target.GetWidth(), target.GetHeight(), 1);
+  const vtkPointSurfaceView& view = internals.Current->View;
+  const auto rectangle = view.GetPixelRectangle();
+  SetImageExtent(buffer, target.GetWidth(), target.GetHeight(), view.Rim);
   auto surface = target.ReadFloats(window, vtkSurfaceTarget::Surface, rectangle);
   const std::vector<float> coverage = SplitCoverage(surface);
   AddLayer(buffer, surface, "Normals", 0, 3);
@@ -1012,7 +1016,16 @@ bool vtkPointSurfaceMapper::ReadSurfaceBuffer(vtkImageData* buffer)
   {
     AddIds(buffer, target.ReadIds(window, rectangle));
   }
+  const int viewport[6] = { 0, target.GetWidth() - 2 * view.Rim - 1, 0,
+    target.GetHeight() - 2 * view.Rim - 1, 0, 0 };
+  buffer->Crop(viewport);
   return true;
+}
+
+void vtkPointSurfaceMapper::SetImageExtent(vtkImageData* image, int width, int height, int rim)
+{
+  image->Initialize();
+  image->SetExtent(-rim, width - rim - 1, -rim, height - rim - 1, 0, 0);
 }
 
 void vtkPointSurfaceMapper::AddIds(vtkImageData* image, const std::vector<unsigned int>& layer)

@@ -285,6 +285,11 @@ protected:
   static void AddLayer(vtkImageData* image, const std::vector<float>& layer, const char* name,
     int first, int components);
   static void AddIds(vtkImageData* image, const std::vector<unsigned int>& layer);
+  /**
+   * Empties `image` and gives it the extent of one that the steps work on: its pixel (0, 0) is the
+   * viewport's lower left one, and `rim` pixels around the viewport are there too.
+   */
+  static void SetImageExtent(vtkImageData* image, int width, int height, int rim);
   ///@}
 
   // What VTK calls while it renders; see vtkOpenGLPolyDataMapper.

@@ -19,9 +19,30 @@ double vtkPointSurfaceView::GetLargestStretch(vtkMatrix4x4* matrix)
   return largest;
 }
 
-void vtkPointSurfaceView::SetExtent(vtkMatrix4x4* modelToEye, const double bounds[6])
+/// A rim for discs of a radius in samples. In steps, so that pixels stay the children of the same
+/// coarser ones (of those that matter) while a camera moves, as they would without a rim; not so
+/// many that they would cost more than the viewport itself.
+void vtkPointSurfaceView::AddRim(double radius, int largestSize)
 {
-  this->Rectangle = { 0, 0, this->Size[0], this->Size[1] };
+  constexpr int Step = 16;
+  const int largest = std::max(this->Size[0], this->Size[1]);
+  const double wanted = std::min(radius, 0.125 * largest) / this->Supersampling;
+  const int possible = (largestSize - largest) / (2 * this->Supersampling);
+  this->Rim = std::max(std::min(Step * static_cast<int>(std::ceil(wanted / Step)), possible), 0);
+  for (int k = 0; k < 2; ++k)
+  {
+    const int size = this->Size[k] + 2 * this->Rim * this->Supersampling;
+    for (int row = 0; row < 4; ++row)
+    {
+      this->VCDC[4 * row + k] *= static_cast<double>(this->Size[k]) / size;
+    }
+    this->Size[k] = size;
+  }
+}
+
+void vtkPointSurfaceView::SetExtent(
+  vtkMatrix4x4* modelToEye, const double bounds[6], int largestSize)
+{
   double nearest = VTK_DOUBLE_MAX;
   double farthest = -VTK_DOUBLE_MAX;
   double corners[8][3];
@@ -62,7 +83,10 @@ void vtkPointSurfaceView::SetExtent(vtkMatrix4x4* modelToEye, const double bound
   const double nearestW = m[15] - m[11] * nearest;
   if (nearestW <= 1e-6 * (m[15] - m[11] * farthest))
   {
-    return; // some of the cloud is beside or behind the eye: the whole viewport
+    // some of the cloud is beside or behind the eye: the whole image
+    this->AddRim(this->TypicalRadius, largestSize);
+    this->Rectangle = { 0, 0, this->Size[0], this->Size[1] };
+    return;
   }
   double lower[2] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
   double upper[2] = { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
@@ -77,13 +101,20 @@ void vtkPointSurfaceView::SetExtent(vtkMatrix4x4* modelToEye, const double bound
       upper[k] = std::max(upper[k], clip / w);
     }
   }
+  // in samples, of the largest disc and of half the viewport
+  const double half[2] = { 0.5 * this->Size[0], 0.5 * this->Size[1] };
+  const double radius[2] = { std::abs(this->LargestRadius * m[0] / nearestW) * half[0],
+    std::abs(this->LargestRadius * m[5] / nearestW) * half[1] };
+  if (std::min(lower[0], lower[1]) < -1.0 || std::max(upper[0], upper[1]) > 1.0)
+  {
+    this->AddRim(std::max(radius[0], radius[1]), largestSize);
+  }
   for (int k = 0; k < 2; ++k)
   {
-    // in pixels, with the largest disc around
-    const double radius = std::abs(this->LargestRadius * m[5 * k] / nearestW);
+    // with the largest disc around
     const double size = this->Size[k];
-    const double begin = std::floor(0.5 * size * (lower[k] - radius + 1.0)) - 1.0;
-    const double end = std::ceil(0.5 * size * (upper[k] + radius + 1.0)) + 1.0;
+    const double begin = std::floor(0.5 * size + half[k] * lower[k] - radius[k]) - 1.0;
+    const double end = std::ceil(0.5 * size + half[k] * upper[k] + radius[k]) + 1.0;
     this->Rectangle[k] = static_cast<int>(std::min(std::max(begin, 0.0), size));
     this->Rectangle[2 + k] =
       static_cast<int>(std::min(std::max(end, 0.0), size)) - this->Rectangle[k];

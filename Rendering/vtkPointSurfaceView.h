@@ -13,6 +13,7 @@
 
 #include "vtkType.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -31,7 +32,9 @@ struct vtkPointSurfaceView
   std::array<double, 16> MCVC{}; ///< from uploaded coordinates (VBO shift and scale) to the eye
   std::array<double, 16> VCDC{}; ///< from the eye to clip coordinates
   std::array<double, 9> Normal{};
-  std::array<int, 2> Size{}; ///< in samples: what the steps call pixels
+  /// Of the image that the steps work on, in samples, which they call pixels: the viewport and a rim
+  /// around it. VCDC is of the whole image too.
+  std::array<int, 2> Size{};
   int Supersampling = 1;     ///< samples along each side of a pixel of the viewport
   std::array<std::array<double, 4>, 6> ClippingPlanes{}; ///< in eye coordinates
   int NumberOfClippingPlanes = 0;
@@ -43,6 +46,7 @@ struct vtkPointSurfaceView
   vtkMTimeType MapperTime = 0;
 
   // What follows from the above and the cloud's bounds.
+  int Rim = 0;                        ///< pixels whose points' discs may reach into the viewport
   std::array<int, 4> Rectangle{};     ///< x, y, width, height in samples: nothing is drawn outside
   std::array<double, 2> DepthRange{}; ///< eye depth between which all points lie
   double LargestRadius = 0.0;         ///< in eye units
@@ -57,10 +61,11 @@ struct vtkPointSurfaceView
   static double GetLargestStretch(vtkMatrix4x4* matrix);
 
   /// Sets what follows, but for the largest and the mean radius, from the bounds of the cloud in
-  /// model coordinates. All else is set.
-  void SetExtent(vtkMatrix4x4* modelToEye, const double bounds[6]);
+  /// model coordinates. All else is set, size and VCDC for the viewport alone: the rim is added to
+  /// them where the cloud goes on outside. An image has `largestSize` samples along a side at most.
+  void SetExtent(vtkMatrix4x4* modelToEye, const double bounds[6], int largestSize);
 
-  /// The rectangle in pixels of the viewport: x, y, width, height.
+  /// The rectangle in pixels of the image: x, y, width, height.
   std::array<int, 4> GetPixelRectangle() const
   {
     std::array<int, 4> pixels;
@@ -73,6 +78,22 @@ struct vtkPointSurfaceView
     return pixels;
   }
 
+  /// The part of it within the viewport, in pixels of the viewport: x, y, width, height.
+  std::array<int, 4> GetViewportRectangle() const
+  {
+    const std::array<int, 4> pixels = this->GetPixelRectangle();
+    std::array<int, 4> visible;
+    for (int k = 0; k < 2; ++k)
+    {
+      const int size = this->Size[k] / this->Supersampling - 2 * this->Rim;
+      const int begin = std::min(std::max(pixels[k] - this->Rim, 0), size);
+      const int end = std::min(pixels[k] + pixels[2 + k] - this->Rim, size);
+      visible[k] = begin;
+      visible[2 + k] = std::max(end - begin, 0);
+    }
+    return visible;
+  }
+
   bool operator==(const vtkPointSurfaceView& other) const
   {
     return this->MCVC == other.MCVC && this->VCDC == other.VCDC && this->Normal == other.Normal &&
@@ -82,6 +103,9 @@ struct vtkPointSurfaceView
       this->Ranges == other.Ranges && this->RadiusScale == other.RadiusScale &&
       this->DataTime == other.DataTime && this->MapperTime == other.MapperTime;
   }
+
+private:
+  void AddRim(double radius, int largestSize);
 };
 
 #endif

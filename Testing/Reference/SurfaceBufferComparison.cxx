@@ -109,17 +109,22 @@ SurfaceBufferComparison::SurfaceBufferComparison(vtkImageData* projected, vtkIma
   {
     RequireArray(surface->GetPointData(), "Colors", 4);
   }
-  if (projected->GetNumberOfPoints() != surface->GetNumberOfPoints())
+  const int* worked = projected->GetExtent();
+  const int* seen = surface->GetExtent();
+  if (seen[0] < worked[0] || seen[1] > worked[1] || seen[2] < worked[2] || seen[3] > worked[3])
   {
-    throw std::runtime_error("The two buffers are not of one size.");
+    throw std::runtime_error("The surface buffer is larger than the projected one.");
   }
 
   const PullPushReference reference = Reconstruct(projected);
   const PullPushReference::Image& expected = reference.GetResult();
-  for (int id = 0; id < expected.GetWidth() * expected.GetHeight(); ++id)
+  int id = 0;
+  for (int y = seen[2]; y <= seen[3]; ++y)
   {
-    this->ComparePixel(
-      expected.At(id % expected.GetWidth(), id / expected.GetWidth()), surface, id, compareColors);
+    for (int x = seen[0]; x <= seen[1]; ++x)
+    {
+      this->ComparePixel(expected.At(x - worked[0], y - worked[2]), surface, id++, compareColors);
+    }
   }
 }
 

@@ -3,7 +3,8 @@
  * @class   SurfaceBufferComparison
  * @brief   a mapper's surface buffer beside the reference's reconstruction of the same projection
  *
- * The images are those of vtkPullPushMapper::ReadProjectedBuffer() and ReadSurfaceBuffer(). For an
+ * The images are those of vtkPullPushMapper::ReadProjectedBuffer() and ReadSurfaceBuffer(); of the
+ * first, the extent may be larger by a rim. For an
  * image that lacks an array std::runtime_error is thrown, which names it.
  *
  * @sa PullPushReference
