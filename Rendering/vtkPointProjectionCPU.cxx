@@ -25,6 +25,10 @@ namespace
 /// Points that are transformed together.
 constexpr int BlockSize = 256;
 
+/// Blocks that one thread goes through in order, and rows that one thread fetches points for.
+constexpr size_t ChunkBlocks = 32;
+constexpr int BandRows = 32;
+
 /// Points between the one that is fetched and the one whose memory is asked for.
 constexpr size_t FetchAhead = 12;
 
@@ -306,51 +310,64 @@ vtkIdType vtkPointProjectionCPU::Draw(const vtkPointSurfaceView& view,
       });
   }
   const Transform transform = this->GetTransform(view);
+  const vtkIdType drawn = this->MakeBlocks(view.Ranges);
   if (nearest)
   {
     this->SetLimits(*nearest, options.DepthTolerance);
+    this->FindFarthestPoints(transform);
   }
-  this->FindVisiblePoints(transform, view.Ranges, nearest != nullptr);
-  this->FetchVisiblePoints(transform, options, nearest != nullptr, image);
-  vtkIdType drawn = 0;
-  for (const auto& range : view.Ranges)
+  else
   {
-    drawn += range[1] - range[0];
+    this->FindVisiblePoints(transform);
   }
+  if (options.AveragePoints)
+  {
+    this->FindCompanions(transform);
+  }
+  this->FetchVisiblePoints(transform, options, image);
   return drawn;
 }
 
-void vtkPointProjectionCPU::SetLimits(vtkSurfaceImage& nearest, float tolerance)
+vtkIdType vtkPointProjectionCPU::MakeBlocks(const std::vector<std::array<vtkIdType, 2>>& ranges)
 {
-  const vtkSurfaceImage::Rectangle& r = nearest.GetRectangle();
-  this->Limits.clear();
-  for (int y = r[1]; y < r[3]; ++y)
-  {
-    const float* radii = nearest.GetRow(y, vtkSurfaceImage::Radius);
-    const float* depths = nearest.GetRow(y, vtkSurfaceImage::IntervalX);
-    for (int x = r[0]; x < r[2]; ++x)
-    {
-      this->Limits.push_back(radii[x] > 0.0f ? depths[x] + tolerance : -VTK_FLOAT_MAX);
-    }
-  }
-}
-
-void vtkPointProjectionCPU::FindVisiblePoints(
-  const Transform& transform, const std::vector<std::array<vtkIdType, 2>>& ranges, bool farthest)
-{
-  std::vector<std::array<vtkIdType, 2>> blocks; // of at most BlockSize points of one range
+  this->Blocks.clear();
+  vtkIdType points = 0;
   for (const auto& range : ranges)
   {
     for (vtkIdType first = range[0]; first < range[1]; first += BlockSize)
     {
-      blocks.push_back({ first, std::min<vtkIdType>(first + BlockSize, range[1]) });
+      this->Blocks.push_back({ first, std::min<vtkIdType>(first + BlockSize, range[1]) });
     }
+    points += range[1] - range[0];
   }
+  return points;
+}
 
+//------------------------------------------------------------------------------
+int vtkPointProjectionCPU::GetNumberOfChunks() const
+{
+  return static_cast<int>((this->Blocks.size() + ChunkBlocks - 1) / ChunkBlocks);
+}
+
+int vtkPointProjectionCPU::GetNumberOfBands(const Transform& transform)
+{
+  return (transform.Rectangle[3] + BandRows - 1) / BandRows;
+}
+
+float vtkPointProjectionCPU::GetRadius(size_t id) const
+{
+  return this->Radii ? this->Radii[id] : static_cast<float>(this->Points->GetUniformRadius());
+}
+
+/// Calls take(chunk, pixel, depth, id) for the points that fall into the rectangle; those of a
+/// chunk in their order and from one thread.
+template <typename Take>
+void vtkPointProjectionCPU::ForSeenPoints(const Transform& transform, const Take& take) const
+{
   const std::vector<unsigned int>& listed = this->Points->GetDrawnIds();
   const unsigned int* ids = listed.empty() ? nullptr : listed.data();
   const bool culls = transform.Cull != vtkPointSurfaceView::NoCulling;
-  auto draw = [&](vtkIdType begin, vtkIdType end)
+  auto drawChunk = [&](vtkIdType chunk)
   {
     const double zero[3] = { 0.0, 0.0, 0.0 };
     Block positions;
@@ -358,10 +375,11 @@ void vtkPointProjectionCPU::FindVisiblePoints(
     int pixels[BlockSize];
     int list[BlockSize];
     float depths[BlockSize];
-    for (vtkIdType block = begin; block < end; ++block)
+    const size_t end = std::min(this->Blocks.size(), static_cast<size_t>(chunk + 1) * ChunkBlocks);
+    for (size_t block = static_cast<size_t>(chunk) * ChunkBlocks; block < end; ++block)
     {
-      const vtkIdType first = blocks[block][0];
-      const int size = static_cast<int>(blocks[block][1] - first);
+      const vtkIdType first = this->Blocks[block][0];
+      const int size = static_cast<int>(this->Blocks[block][1] - first);
       this->FloatPositions
         ? Load(positions, first, size, this->FloatPositions, ids, this->Origin.data())
         : Load(positions, first, size, this->DoublePositions, ids, this->Origin.data());
@@ -381,58 +399,268 @@ void vtkPointProjectionCPU::FindVisiblePoints(
       {
         const int i = list[k];
         const auto id = static_cast<unsigned int>(ids ? ids[first + i] : first + i);
-        if (farthest && depths[i] > this->Limits[pixels[i]])
-        {
-          continue;
-        }
-        const std::uint64_t key = MakeKey(farthest ? -depths[i] : depths[i], id);
-        std::atomic<std::uint64_t>& nearest = this->Nearest[pixels[i]];
-        std::uint64_t old = nearest.load(std::memory_order_relaxed);
-        while (key < old && !nearest.compare_exchange_weak(old, key, std::memory_order_relaxed))
-        {
-        }
+        take(static_cast<int>(chunk), pixels[i], depths[i], id);
       }
     }
   };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(blocks.size()), 16, draw);
+  vtkSMPTools::For(0, this->GetNumberOfChunks(), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType chunk = begin; chunk < end; ++chunk)
+      {
+        drawChunk(chunk);
+      }
+    });
+}
+
+void vtkPointProjectionCPU::SetLimits(vtkSurfaceImage& nearest, float tolerance)
+{
+  const vtkSurfaceImage::Rectangle& r = nearest.GetRectangle();
+  this->Limits.clear();
+  for (int y = r[1]; y < r[3]; ++y)
+  {
+    const float* radii = nearest.GetRow(y, vtkSurfaceImage::Radius);
+    const float* depths = nearest.GetRow(y, vtkSurfaceImage::IntervalX);
+    for (int x = r[0]; x < r[2]; ++x)
+    {
+      this->Limits.push_back(radii[x] > 0.0f ? depths[x] + tolerance : -VTK_FLOAT_MAX);
+    }
+  }
+}
+
+namespace
+{
+void KeepLeast(std::atomic<std::uint64_t>& least, std::uint64_t key)
+{
+  std::uint64_t old = least.load(std::memory_order_relaxed);
+  while (key < old && !least.compare_exchange_weak(old, key, std::memory_order_relaxed))
+  {
+  }
+}
+}
+
+void vtkPointProjectionCPU::FindVisiblePoints(const Transform& transform)
+{
+  this->ForSeenPoints(transform,
+    [this](int, int pixel, float depth, unsigned int id)
+    { KeepLeast(this->Nearest[pixel], MakeKey(depth, id)); });
+}
+
+/// The same for the farthest points that are within the limits.
+void vtkPointProjectionCPU::FindFarthestPoints(const Transform& transform)
+{
+  this->ForSeenPoints(transform,
+    [this](int, int pixel, float depth, unsigned int id)
+    {
+      if (depth <= this->Limits[pixel])
+      {
+        KeepLeast(this->Nearest[pixel], MakeKey(-depth, id));
+      }
+    });
+}
+
+/// Lists what is to be averaged with the nearest points. Sorted by chunk of points and band of
+/// rows, it is written by one thread a chunk and read by one a band, and always in one order.
+void vtkPointProjectionCPU::FindCompanions(const Transform& transform)
+{
+  const int bands = GetNumberOfBands(transform);
+  const unsigned int bandSize = static_cast<unsigned int>(BandRows * transform.Rectangle[2]);
+  this->Companions.resize(static_cast<size_t>(this->GetNumberOfChunks()) * bands);
+  for (std::vector<Companion>& companions : this->Companions)
+  {
+    companions.clear();
+  }
+  this->ForSeenPoints(transform,
+    [&](int chunk, int pixel, float depth, unsigned int id)
+    {
+      const std::uint64_t nearest = this->Nearest[pixel].load(std::memory_order_relaxed);
+      const float reach = transform.RadiusScale * this->GetRadius(id);
+      if (GetId(nearest) != id && depth <= GetDepth(nearest) + reach)
+      {
+        const auto place = static_cast<unsigned int>(pixel);
+        this->Companions[static_cast<size_t>(chunk) * bands + place / bandSize].push_back(
+          { place, id });
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
-void vtkPointProjectionCPU::FetchVisiblePoints(const Transform& transform,
-  const vtkPointProjectionOptions& options, bool farthest, vtkSurfaceImage& image)
+struct vtkPointProjectionCPU::Footprint
+{
+  float Normal[3];
+  float Radius;
+  float Depth;
+  float Center[2];
+  std::array<float, 4> Color;
+};
+
+void vtkPointProjectionCPU::FetchVisiblePoints(
+  const Transform& transform, const vtkPointProjectionOptions& options, vtkSurfaceImage& image)
 {
   const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
-  const size_t width = r[2] - r[0];
-  vtkSMPTools::For(r[1], r[3], 16,
+  vtkSMPTools::For(0, GetNumberOfBands(transform), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
-      std::vector<std::pair<int, std::uint64_t>> visible; // columns and keys
-      for (int y = static_cast<int>(begin); y < end; ++y)
+      for (int band = static_cast<int>(begin); band < end; ++band)
       {
-        image.ClearBlocks(y, image.GetBlockBegin(), image.GetBlockEnd());
-        visible.clear();
-        std::atomic<std::uint64_t>* nearest = &this->Nearest[(y - r[1]) * width];
-        for (int x = r[0]; x < r[2]; ++x, ++nearest)
+        const int first = r[1] + band * BandRows;
+        for (int y = first; y < std::min(first + BandRows, r[3]); ++y)
         {
-          const std::uint64_t key = nearest->load(std::memory_order_relaxed);
-          if (key != NoPoint)
-          {
-            nearest->store(NoPoint, std::memory_order_relaxed);
-            visible.emplace_back(x, key);
-          }
+          this->FetchRow(transform, options, y, image);
         }
-        for (size_t i = 0; i < visible.size(); ++i)
+        if (options.AveragePoints)
         {
-          if (i + FetchAhead < visible.size())
-          {
-            this->Prefetch(GetId(visible[i + FetchAhead].second));
-          }
-          const std::uint64_t key = visible[i].second;
-          const float depth = farthest ? -GetDepth(key) : GetDepth(key);
-          this->FetchPoint(transform, options, GetId(key), depth, visible[i].first, y, image);
+          this->AverageBand(transform, options, band, image);
         }
       }
     });
+}
+
+void vtkPointProjectionCPU::FetchRow(const Transform& transform,
+  const vtkPointProjectionOptions& options, int y, vtkSurfaceImage& image)
+{
+  const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
+  image.ClearBlocks(y, image.GetBlockBegin(), image.GetBlockEnd());
+  std::vector<std::pair<int, unsigned int>> visible; // columns and ids
+  std::atomic<std::uint64_t>* nearest =
+    &this->Nearest[static_cast<size_t>(y - r[1]) * (r[2] - r[0])];
+  for (int x = r[0]; x < r[2]; ++x, ++nearest)
+  {
+    const std::uint64_t key = nearest->load(std::memory_order_relaxed);
+    if (key != NoPoint)
+    {
+      nearest->store(NoPoint, std::memory_order_relaxed);
+      visible.emplace_back(x, GetId(key));
+    }
+  }
+  for (size_t i = 0; i < visible.size(); ++i)
+  {
+    if (i + FetchAhead < visible.size())
+    {
+      this->Prefetch(visible[i + FetchAhead].second);
+    }
+    const int x = visible[i].first;
+    const unsigned int id = visible[i].second;
+    const Footprint point = this->GetFootprint(transform, options, id, x, y);
+    image.GetOccupied(y)[x / vtkSurfaceImage::BlockSize] = 1;
+    float* pixel = image.GetRow(y, 0) + x;
+    const size_t plane = image.GetPlaneStride();
+    for (int k = 0; k < 3; ++k)
+    {
+      pixel[(vtkSurfaceImage::NormalX + k) * plane] = point.Normal[k];
+    }
+    pixel[vtkSurfaceImage::Radius * plane] = point.Radius;
+    pixel[vtkSurfaceImage::IntervalX * plane] = point.Depth;
+    pixel[vtkSurfaceImage::IntervalY * plane] =
+      options.CenterDepths ? 0.0f : point.Depth + point.Radius;
+    pixel[vtkSurfaceImage::CenterX * plane] = point.Center[0];
+    pixel[vtkSurfaceImage::CenterY * plane] = point.Center[1];
+    if (image.HasIds())
+    {
+      image.GetIds(y)[x] = id + 1;
+    }
+    for (int k = 0; image.HasColors() && k < 4; ++k)
+    {
+      pixel[(vtkSurfaceImage::Red + k) * plane] = point.Color[k];
+    }
+  }
+}
+
+/// Averages the pixels of a band, which hold their nearest points, with the companions of these.
+void vtkPointProjectionCPU::AverageBand(const Transform& transform,
+  const vtkPointProjectionOptions& options, int band, vtkSurfaceImage& image) const
+{
+  struct Sum
+  {
+    int X, Y;
+    float FrontNormal[3];
+    float Values[vtkSurfaceImage::NumberOfPlanes];
+    float Count;
+  };
+  std::vector<Sum> sums;
+  const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
+  const unsigned int width = static_cast<unsigned int>(transform.Rectangle[2]);
+  const unsigned int firstPixel = static_cast<unsigned int>(band) * BandRows * width;
+  std::vector<int> places(static_cast<size_t>(BandRows) * width, -1); // in sums
+  const size_t plane = image.GetPlaneStride();
+  const int planes = image.GetNumberOfPlanes();
+  const size_t bands = GetNumberOfBands(transform);
+  for (size_t list = band; list < this->Companions.size(); list += bands)
+  {
+    const std::vector<Companion>& companions = this->Companions[list];
+    for (size_t i = 0; i < companions.size(); ++i)
+    {
+      if (i + FetchAhead < companions.size())
+      {
+        this->Prefetch(companions[i + FetchAhead].Id);
+      }
+      const unsigned int place = companions[i].Pixel;
+      const int x = r[0] + static_cast<int>(place % width);
+      const int y = r[1] + static_cast<int>(place / width);
+      int& index = places[place - firstPixel];
+      if (index < 0)
+      {
+        index = static_cast<int>(sums.size());
+        sums.push_back({});
+        Sum& sum = sums.back();
+        sum.X = x;
+        sum.Y = y;
+        sum.Count = 1.0f;
+        const float* pixel = image.GetRow(y, 0) + x;
+        for (int k = 0; k < planes; ++k)
+        {
+          sum.Values[k] = pixel[k * plane];
+        }
+        std::copy_n(sum.Values, 3, sum.FrontNormal);
+      }
+      Sum& sum = sums[index];
+      const Footprint point = this->GetFootprint(transform, options, companions[i].Id, x, y);
+      const float* n = point.Normal;
+      const float alike =
+        n[0] * sum.FrontNormal[0] + n[1] * sum.FrontNormal[1] + n[2] * sum.FrontNormal[2];
+      const bool turned = transform.Cull == vtkPointSurfaceView::NoCulling && alike < 0.0f;
+      for (int k = 0; k < 3; ++k)
+      {
+        sum.Values[k] += turned ? -n[k] : n[k];
+      }
+      sum.Values[vtkSurfaceImage::Radius] += point.Radius;
+      sum.Values[vtkSurfaceImage::IntervalX] += point.Depth;
+      sum.Values[vtkSurfaceImage::CenterX] += point.Center[0];
+      sum.Values[vtkSurfaceImage::CenterY] += point.Center[1];
+      for (int k = 0; image.HasColors() && k < 4; ++k)
+      {
+        sum.Values[vtkSurfaceImage::Red + k] += point.Color[k];
+      }
+      sum.Count += 1.0f;
+    }
+  }
+
+  for (Sum& sum : sums)
+  {
+    float* n = sum.Values;
+    const float size = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    const bool cancels = size < 1e-6f;
+    float* pixel = image.GetRow(sum.Y, 0) + sum.X;
+    const float nearest = pixel[vtkSurfaceImage::IntervalX * plane];
+    for (int k = 0; k < 3; ++k)
+    {
+      pixel[k * plane] = cancels ? sum.FrontNormal[k] : n[k] / size;
+    }
+    for (int k = 3; k < planes; ++k)
+    {
+      const bool isInterval = k == vtkSurfaceImage::IntervalX || k == vtkSurfaceImage::IntervalY;
+      if (!isInterval)
+      {
+        pixel[k * plane] = sum.Values[k] / sum.Count;
+      }
+    }
+    if (options.CenterDepths)
+    {
+      const float mean = sum.Values[vtkSurfaceImage::IntervalX] / sum.Count;
+      pixel[vtkSurfaceImage::IntervalX * plane] = mean;
+      pixel[vtkSurfaceImage::IntervalY * plane] = mean - nearest;
+    }
+  }
 }
 
 void vtkPointProjectionCPU::Prefetch(size_t id) const
@@ -450,72 +678,47 @@ void vtkPointProjectionCPU::Prefetch(size_t id) const
   }
 }
 
-void vtkPointProjectionCPU::FetchPoint(const Transform& t, const vtkPointProjectionOptions& options,
-  unsigned int id, float depth, int x, int y, vtkSurfaceImage& image) const
+vtkPointProjectionCPU::Footprint vtkPointProjectionCPU::GetFootprint(
+  const Transform& t, const vtkPointProjectionOptions& options, unsigned int id, int x, int y) const
 {
+  Footprint point;
   const float none[3] = { 0.0f, 0.0f, 0.0f };
   const float* n = this->Normals ? this->Normals + 3 * static_cast<size_t>(id) : none;
+  const std::array<float, 3> p = this->GetPosition(id);
+  float eye[3];
   float normal[3];
   for (int k = 0; k < 3; ++k)
   {
+    eye[k] = t.Eye[k].Of(p[0], p[1], p[2]);
     normal[k] = t.Normal[k].Of(n[0], n[1], n[2]);
   }
   float length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-  float center[2] = { 0.0f, 0.0f };
-  if (options.SubpixelCenters || !(length > 0.0f))
+  if (!(length > 0.0f)) // none is known: it faces the viewer
   {
-    const std::array<float, 3> p = this->GetPosition(id);
-    float eye[3];
     for (int k = 0; k < 3; ++k)
     {
-      eye[k] = t.Eye[k].Of(p[0], p[1], p[2]);
+      normal[k] = t.Parallel ? (k == 2 ? 1.0f : 0.0f) : -eye[k];
     }
-    if (!(length > 0.0f)) // none is known: it faces the viewer
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        normal[k] = t.Parallel ? (k == 2 ? 1.0f : 0.0f) : -eye[k];
-      }
-      length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-    }
-    if (options.SubpixelCenters)
-    {
-      const float w = t.Clip[3].Of(eye[0], eye[1], eye[2]);
-      const int pixel[2] = { x, y };
-      for (int k = 0; k < 2; ++k)
-      {
-        const float window = t.HalfSize[k] * (t.Clip[k].Of(eye[0], eye[1], eye[2]) / w + 1.0f);
-        center[k] = window - (pixel[k] + 0.5f);
-      }
-    }
+    length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
   }
-
-  const float radius = t.RadiusScale *
-    (this->Radii ? this->Radii[id] : static_cast<float>(this->Points->GetUniformRadius()));
-  image.GetOccupied(y)[x / vtkSurfaceImage::BlockSize] = 1;
-  float* pixel = image.GetRow(y, 0) + x;
-  const size_t plane = image.GetPlaneStride();
+  const float w = t.Clip[3].Of(eye[0], eye[1], eye[2]);
+  const int pixel[2] = { x, y };
+  for (int k = 0; k < 2; ++k)
+  {
+    const float window = t.HalfSize[k] * (t.Clip[k].Of(eye[0], eye[1], eye[2]) / w + 1.0f);
+    point.Center[k] = options.SubpixelCenters ? window - (pixel[k] + 0.5f) : 0.0f;
+  }
   for (int k = 0; k < 3; ++k)
   {
-    pixel[(vtkSurfaceImage::NormalX + k) * plane] = normal[k] / length;
+    point.Normal[k] = normal[k] / length;
   }
-  pixel[vtkSurfaceImage::Radius * plane] = radius;
-  pixel[vtkSurfaceImage::IntervalX * plane] = depth;
-  pixel[vtkSurfaceImage::IntervalY * plane] = options.CenterDepths ? 0.0f : depth + radius;
-  pixel[vtkSurfaceImage::CenterX * plane] = center[0];
-  pixel[vtkSurfaceImage::CenterY * plane] = center[1];
-  if (image.HasIds())
+  point.Depth = -eye[2];
+  point.Radius = t.RadiusScale * this->GetRadius(id);
+  if (this->Colors)
   {
-    image.GetIds(y)[x] = id + 1;
+    point.Color = this->GetColor(id);
   }
-  if (image.HasColors())
-  {
-    const std::array<float, 4> color = this->GetColor(id);
-    for (int k = 0; k < 4; ++k)
-    {
-      pixel[(vtkSurfaceImage::Red + k) * plane] = color[k];
-    }
-  }
+  return point;
 }
 
 std::array<float, 3> vtkPointProjectionCPU::GetPosition(size_t id) const

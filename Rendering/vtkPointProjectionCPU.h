@@ -67,14 +67,33 @@ private:
   vtkPointProjectionCPU(const vtkPointProjectionCPU&) = delete;
   void operator=(const vtkPointProjectionCPU&) = delete;
 
+  /// What a point leaves in its pixel.
+  struct Footprint;
+  /// A point that shares a pixel of the rectangle with a nearer one.
+  struct Companion
+  {
+    unsigned int Pixel, Id;
+  };
+
   Transform GetTransform(const vtkPointSurfaceView& view) const;
+  vtkIdType MakeBlocks(const std::vector<std::array<vtkIdType, 2>>& ranges);
+  template <typename Take>
+  void ForSeenPoints(const Transform& transform, const Take& take) const;
   void SetLimits(vtkSurfaceImage& nearest, float tolerance);
-  void FindVisiblePoints(
-    const Transform& transform, const std::vector<std::array<vtkIdType, 2>>& ranges, bool farthest);
-  void FetchVisiblePoints(const Transform& transform, const vtkPointProjectionOptions& options,
-    bool farthest, vtkSurfaceImage& image);
-  void FetchPoint(const Transform& transform, const vtkPointProjectionOptions& options,
-    unsigned int id, float depth, int x, int y, vtkSurfaceImage& image) const;
+  void FindVisiblePoints(const Transform& transform);
+  void FindFarthestPoints(const Transform& transform);
+  void FindCompanions(const Transform& transform);
+  void FetchVisiblePoints(
+    const Transform& transform, const vtkPointProjectionOptions& options, vtkSurfaceImage& image);
+  void FetchRow(const Transform& transform, const vtkPointProjectionOptions& options, int y,
+    vtkSurfaceImage& image);
+  void AverageBand(const Transform& transform, const vtkPointProjectionOptions& options, int band,
+    vtkSurfaceImage& image) const;
+  Footprint GetFootprint(const Transform& transform, const vtkPointProjectionOptions& options,
+    unsigned int id, int x, int y) const;
+  int GetNumberOfChunks() const;
+  static int GetNumberOfBands(const Transform& transform);
+  float GetRadius(size_t id) const;
   void Prefetch(size_t id) const;
   std::array<float, 3> GetPosition(size_t id) const; // about the origin
 
@@ -96,6 +115,10 @@ private:
   std::unique_ptr<std::atomic<std::uint64_t>[]> Nearest;
   size_t NearestSize = 0;
   std::vector<float> Limits; // of each pixel, the largest depth where the farthest are looked for
+  // What is drawn: first and end of runs of points, of one range each.
+  std::vector<std::array<vtkIdType, 2>> Blocks;
+  // For each chunk of points and band of rows, in the order of the points; see FindCompanions().
+  std::vector<std::vector<Companion>> Companions;
 };
 
 #endif

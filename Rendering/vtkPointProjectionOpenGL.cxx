@@ -4,6 +4,7 @@
 #include "vtkPointProjectionOptions.h"
 #include "vtkPointSurfaceCompat.h"
 #include "vtkPointSurfaceView.h"
+#include "vtkScreenPass.h"
 #include "vtkSurfaceTarget.h"
 
 #include "vtkMatrix3x3.h"
@@ -14,8 +15,10 @@
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPointAverageFS.h"
 #include "vtkPointProjectionFS.h"
 #include "vtkPointProjectionVS.h"
+#include "vtkPointSumFS.h"
 #include "vtkShaderProgram.h"
 
 namespace
@@ -58,12 +61,21 @@ size_t vtkPointProjectionOpenGL::UploadIds(const std::vector<unsigned int>& ids,
   return ids.size() * sizeof(unsigned int);
 }
 
-void vtkPointProjectionOpenGL::ReleaseGraphicsResources(vtkWindow*)
+void vtkPointProjectionOpenGL::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Ids->ReleaseGraphicsResources();
   this->IdsTime = 0;
-  this->VertexArray->ReleaseGraphicsResources();
-  this->BoundProgram = nullptr;
+  for (Pass* pass : { &this->FirstPass, &this->SumPass })
+  {
+    pass->VertexArray->ReleaseGraphicsResources();
+    pass->BoundProgram = nullptr;
+  }
+  this->Nearest.ReleaseGraphicsResources(window);
+  this->Sums.ReleaseGraphicsResources(window);
+  for (auto& entry : this->AveragePasses)
+  {
+    entry.second->ReleaseGraphicsResources();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -72,44 +84,132 @@ vtkIdType vtkPointProjectionOpenGL::Draw(vtkOpenGLRenderWindow* window, const Po
   vtkSurfaceTarget& target, vtkSurfaceTarget* nearest)
 {
   vtkOpenGLState* state = window->GetState();
-  target.BindForWriting(window);
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(view.Rectangle[0], view.Rectangle[1], view.Rectangle[2], view.Rectangle[3]);
+  if (!options.AveragePoints)
+  {
+    return this->DrawFirst(window, points, view, options, target, nearest);
+  }
+  this->Nearest.Allocate(window, target.GetWidth(), target.GetHeight(), target.GetLayers(), true);
+  const vtkIdType drawn = this->DrawFirst(window, points, view, options, this->Nearest, nearest);
+  this->DrawSums(window, points, view, options);
+  this->Average(window, view, options, target);
+  return drawn;
+}
+
+vtkIdType vtkPointProjectionOpenGL::DrawFirst(vtkOpenGLRenderWindow* window, const Points& points,
+  const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
+  vtkSurfaceTarget& target, vtkSurfaceTarget* nearest)
+{
+  vtkOpenGLState* state = window->GetState();
+  target.BindForWriting(window);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_TRUE);
   // of points at the same depth the first one stays
   state->vtkglDepthFunc(nearest ? GL_GREATER : GL_LESS);
   target.Clear(nearest ? 0.0f : 1.0f);
-
-  const std::string fragmentShader = "//VTK::System::Dec\n" +
-    vtkSurfaceTarget::GetOutputDeclarations(target.GetLayers()) + vtkPointProjectionFS;
-  vtkShaderProgram* program =
-    window->GetShaderCache()->ReadyShaderProgram(vtkPointProjectionVS, fragmentShader.c_str(), "");
-  if (!program)
+  vtkShaderProgram* program = this->ReadyProgram(window, this->FirstPass,
+    vtkSurfaceTarget::GetOutputDeclarations(target.GetLayers()) + vtkPointProjectionFS, points,
+    view, options);
+  vtkIdType drawn = 0;
+  if (program)
   {
-    return 0;
-  }
-  this->BindAttributes(program, points);
-  this->SetUniforms(program, points, view, options);
-  program->SetUniformi("onlyFarthest", nearest != nullptr);
-  if (nearest)
-  {
-    nearest->Activate();
-    nearest->SetSamplers(program, "nearest");
-  }
-
-  state->vtkglPointSize(1.0f);
-  const vtkIdType drawn = this->DrawRanges(view);
-  this->VertexArray->Release();
-  if (nearest)
-  {
-    nearest->Deactivate();
+    program->SetUniformi("onlyFarthest", nearest != nullptr);
+    if (nearest)
+    {
+      nearest->Activate();
+      nearest->SetSamplers(program, "nearest");
+    }
+    drawn = this->DrawRanges(this->FirstPass, view);
+    if (nearest)
+    {
+      nearest->Deactivate();
+    }
   }
   state->vtkglDisable(GL_DEPTH_TEST);
   return drawn;
 }
 
-vtkIdType vtkPointProjectionOpenGL::DrawRanges(const vtkPointSurfaceView& view)
+void vtkPointProjectionOpenGL::DrawSums(vtkOpenGLRenderWindow* window, const Points& points,
+  const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options)
+{
+  std::vector<vtkSurfaceTarget::Layer> layers = { vtkSurfaceTarget::Shape,
+    vtkSurfaceTarget::Interval };
+  if (this->Nearest.Has(vtkSurfaceTarget::Color))
+  {
+    layers.push_back(vtkSurfaceTarget::Color);
+  }
+  this->Sums.Allocate(window, this->Nearest.GetWidth(), this->Nearest.GetHeight(), layers);
+  this->Sums.BindForWriting(window);
+  this->Sums.Clear();
+  vtkShaderProgram* program = this->ReadyProgram(window, this->SumPass,
+    vtkSurfaceTarget::GetInputDeclarations(
+      { vtkSurfaceTarget::Shape, vtkSurfaceTarget::Interval }, "nearest") +
+      vtkSurfaceTarget::GetOutputDeclarations(layers) + vtkPointSumFS,
+    points, view, options);
+  if (!program)
+  {
+    return;
+  }
+  this->Nearest.Activate();
+  this->Nearest.SetSamplers(program, "nearest");
+  program->SetUniformi("onlyFarthest", 0);
+  program->SetUniformi("twoSided", view.Cull == vtkPointSurfaceView::NoCulling);
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  this->DrawRanges(this->SumPass, view);
+  state->vtkglDisable(GL_BLEND);
+  this->Nearest.Deactivate();
+}
+
+void vtkPointProjectionOpenGL::Average(vtkOpenGLRenderWindow* window,
+  const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
+  vtkSurfaceTarget& target)
+{
+  std::unique_ptr<vtkScreenPass>& pass = this->AveragePasses[target.GetLayers()];
+  if (!pass)
+  {
+    pass.reset(new vtkScreenPass("//VTK::System::Dec\n" +
+      vtkSurfaceTarget::GetInputDeclarations(this->Nearest.GetLayers(), "nearest") +
+      vtkSurfaceTarget::GetInputDeclarations(this->Sums.GetLayers(), "sum") +
+      vtkSurfaceTarget::GetOutputDeclarations(target.GetLayers()) + vtkPointAverageFS));
+  }
+  vtkShaderProgram* program = pass->Ready(window);
+  if (!program)
+  {
+    return;
+  }
+  this->Nearest.Activate();
+  this->Nearest.SetSamplers(program, "nearest");
+  this->Sums.Activate();
+  this->Sums.SetSamplers(program, "sum");
+  program->SetUniformi("centerDepths", options.CenterDepths);
+  target.BindForWriting(window);
+  const auto& r = view.Rectangle;
+  pass->Draw(window, r[0], r[1], r[2], r[3]);
+  this->Sums.Deactivate();
+  this->Nearest.Deactivate();
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkPointProjectionOpenGL::ReadyProgram(vtkOpenGLRenderWindow* window, Pass& pass,
+  const std::string& fragmentShader, const Points& points, const vtkPointSurfaceView& view,
+  const vtkPointProjectionOptions& options)
+{
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
+    vtkPointProjectionVS, ("//VTK::System::Dec\n" + fragmentShader).c_str(), "");
+  if (program)
+  {
+    this->BindAttributes(pass, program, points);
+    this->SetUniforms(program, points, view, options);
+    window->GetState()->vtkglPointSize(1.0f);
+  }
+  return program;
+}
+
+vtkIdType vtkPointProjectionOpenGL::DrawRanges(Pass& pass, const vtkPointSurfaceView& view)
 {
   const bool listed = this->Ids->IndexCount > 0;
   vtkIdType drawn = 0;
@@ -130,28 +230,29 @@ vtkIdType vtkPointProjectionOpenGL::DrawRanges(const vtkPointSurfaceView& view)
   {
     this->Ids->Release();
   }
+  pass.VertexArray->Release();
   return drawn;
 }
 
-//------------------------------------------------------------------------------
-void vtkPointProjectionOpenGL::BindAttributes(vtkShaderProgram* program, const Points& points)
+void vtkPointProjectionOpenGL::BindAttributes(
+  Pass& pass, vtkShaderProgram* program, const Points& points)
 {
   vtkOpenGLVertexBufferObjectGroup* buffers = points.Buffers;
-  this->VertexArray->Bind();
-  if (program == this->BoundProgram && buffers->GetMTime() < this->BindTime &&
-    program->GetMTime() < this->BindTime)
+  pass.VertexArray->Bind();
+  if (program == pass.BoundProgram && buffers->GetMTime() < pass.BindTime &&
+    program->GetMTime() < pass.BindTime)
   {
     return;
   }
-  this->VertexArray->ReleaseGraphicsResources();
-  this->VertexArray->Bind();
-  buffers->AddAllAttributesToVAO(program, this->VertexArray);
+  pass.VertexArray->ReleaseGraphicsResources();
+  pass.VertexArray->Bind();
+  buffers->AddAllAttributesToVAO(program, pass.VertexArray);
   if (!points.HaveNormals)
   {
-    this->VertexArray->RemoveAttributeArray("normalMC"); // which then reads as zero
+    pass.VertexArray->RemoveAttributeArray("normalMC"); // which then reads as zero
   }
-  this->BoundProgram = program;
-  this->BindTime.Modified();
+  pass.BoundProgram = program;
+  pass.BindTime.Modified();
 }
 
 void vtkPointProjectionOpenGL::SetUniforms(vtkShaderProgram* program, const Points& points,

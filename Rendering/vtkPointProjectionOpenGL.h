@@ -5,24 +5,29 @@
  *
  * Each point that survives culling, clipping and the depth test writes its normal, radius and
  * depth interval (and id and colour, where the target has these layers) to the one pixel that it
- * falls on (Marroquim, Kraus, Cavalcanti 2007, section 3.1).
+ * falls on (Marroquim, Kraus, Cavalcanti 2007, section 3.1). If the points of a pixel are to be
+ * averaged, they are drawn a second time and added up by blending.
  */
 #ifndef vtkPointProjectionOpenGL_h
 #define vtkPointProjectionOpenGL_h
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
+#include "vtkSurfaceTarget.h"
 #include "vtkTimeStamp.h"
 #include "vtkType.h"
 
+#include <map>
+#include <memory>
+#include <string>
 #include <vector>
 
 class vtkOpenGLIndexBufferObject;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexArrayObject;
 class vtkOpenGLVertexBufferObjectGroup;
+class vtkScreenPass;
 class vtkShaderProgram;
-class vtkSurfaceTarget;
 class vtkWindow;
 struct vtkPointProjectionOptions;
 struct vtkPointSurfaceView;
@@ -72,16 +77,36 @@ private:
   vtkPointProjectionOpenGL(const vtkPointProjectionOpenGL&) = delete;
   void operator=(const vtkPointProjectionOpenGL&) = delete;
 
-  vtkIdType DrawRanges(const vtkPointSurfaceView& view);
-  void BindAttributes(vtkShaderProgram* program, const Points& points);
+  /// One way of drawing points: the attributes as its program takes them.
+  struct Pass
+  {
+    vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
+    vtkShaderProgram* BoundProgram = nullptr; // whose attributes VertexArray holds; not owned
+    vtkTimeStamp BindTime;
+  };
+
+  vtkIdType DrawFirst(vtkOpenGLRenderWindow* window, const Points& points,
+    const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
+    vtkSurfaceTarget& target, vtkSurfaceTarget* nearest);
+  void DrawSums(vtkOpenGLRenderWindow* window, const Points& points,
+    const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options);
+  void Average(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
+    const vtkPointProjectionOptions& options, vtkSurfaceTarget& target);
+  vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window, Pass& pass,
+    const std::string& fragmentShader, const Points& points, const vtkPointSurfaceView& view,
+    const vtkPointProjectionOptions& options);
+  vtkIdType DrawRanges(Pass& pass, const vtkPointSurfaceView& view);
+  void BindAttributes(Pass& pass, vtkShaderProgram* program, const Points& points);
   void SetUniforms(vtkShaderProgram* program, const Points& points, const vtkPointSurfaceView& view,
     const vtkPointProjectionOptions& options);
 
   vtkNew<vtkOpenGLIndexBufferObject> Ids;
   vtkMTimeType IdsTime = 0;
-  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
-  vtkShaderProgram* BoundProgram = nullptr; // whose attributes VertexArray holds; not owned
-  vtkTimeStamp BindTime;
+  Pass FirstPass;
+  Pass SumPass;
+  vtkSurfaceTarget Nearest; // where points are averaged, and their sums
+  vtkSurfaceTarget Sums;
+  std::map<std::vector<vtkSurfaceTarget::Layer>, std::unique_ptr<vtkScreenPass>> AveragePasses;
 };
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPointProjectionOptions
- * @brief   what a projected point leaves in its pixel's layer Interval
+ * @brief   what projected points leave in a pixel
  */
 #ifndef vtkPointProjectionOptions_h
 #define vtkPointProjectionOptions_h
@@ -12,6 +12,9 @@ struct vtkPointProjectionOptions
   bool SubpixelCenters = false;
   /// Depth is the centre's depth and half of the span around it, not the least and the largest one.
   bool CenterDepths = false;
+  /// The means of the points that fall in the pixel, of those that are behind the nearest one by
+  /// their own radius at most; not the nearest one alone. The id stays that of the nearest one.
+  bool AveragePoints = false;
   /// How far behind the nearest point the farthest one of a pixel may be, in eye units, where these
   /// are drawn.
   float DepthTolerance = 0.0f;

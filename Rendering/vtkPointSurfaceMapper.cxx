@@ -707,7 +707,7 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(
   if (!view.Ranges.empty())
   {
     view.SetExtent(modelToEye, GetBoundsOf(blocks, points.GetBounds()).data(),
-      vtkTextureObject::GetMaximumTextureSize(this->Internals->Window));
+      this->NeedsRim() ? vtkTextureObject::GetMaximumTextureSize(this->Internals->Window) : 0);
   }
   return view;
 }

@@ -212,6 +212,12 @@ protected:
   ///@}
 
   /**
+   * Whether the image that the subclass works on is to reach over the viewport where the cloud does,
+   * as far as discs from outside reach into it. False by default.
+   */
+  virtual bool NeedsRim() const { return false; }
+
+  /**
    * For a subclass that needs no radii but the sampling distance of the cloud, which then is the
    * radius of all points: the quantile that vtkSamplingDistance estimates it by. Below 0, the
    * default: it is not needed.

@@ -32,10 +32,10 @@ struct vtkPointSurfaceView
   std::array<double, 16> MCVC{}; ///< from uploaded coordinates (VBO shift and scale) to the eye
   std::array<double, 16> VCDC{}; ///< from the eye to clip coordinates
   std::array<double, 9> Normal{};
-  /// Of the image that the steps work on, in samples, which they call pixels: the viewport and a rim
-  /// around it. VCDC is of the whole image too.
+  /// Of the image that the steps work on, in samples, which they call pixels: the viewport and a
+  /// rim around it. VCDC is of the whole image too.
   std::array<int, 2> Size{};
-  int Supersampling = 1;     ///< samples along each side of a pixel of the viewport
+  int Supersampling = 1; ///< samples along each side of a pixel of the viewport
   std::array<std::array<double, 4>, 6> ClippingPlanes{}; ///< in eye coordinates
   int NumberOfClippingPlanes = 0;
   int Cull = NoCulling;

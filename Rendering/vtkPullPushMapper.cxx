@@ -49,6 +49,7 @@ void vtkPullPushMapper::ReleaseGraphicsResources(vtkWindow* window)
 void vtkPullPushMapper::SetToPublished()
 {
   this->SubpixelCentersOff();
+  this->AveragePointsOff();
   this->PerspectiveDiscsOff();
   this->DistanceWeightsOff();
   this->UnionRadiiOff();
@@ -73,6 +74,7 @@ vtkPointProjectionOptions vtkPullPushMapper::GetProjectionOptions() const
   vtkPointProjectionOptions options;
   options.SubpixelCenters = this->SubpixelCenters;
   options.CenterDepths = this->PerspectiveDiscs;
+  options.AveragePoints = this->AveragePoints;
   return options;
 }
 
@@ -119,8 +121,7 @@ bool vtkPullPushMapper::ReadProjectedBuffer(vtkImageData* buffer)
     return byCPU ? internals.ProjectedCPU.ReadFloats(layer)
                  : internals.Projected.ReadFloats(window, layer, view.Rectangle);
   };
-  buffer->Initialize();
-  buffer->SetDimensions(view.Size[0], view.Size[1], 1);
+  SetImageExtent(buffer, view.Size[0], view.Size[1], view.Rim * view.Supersampling);
   const std::vector<float> shape = readFloats(vtkSurfaceTarget::Shape);
   AddLayer(buffer, shape, "Normals", 0, 3);
   AddLayer(buffer, shape, "Radius", 3, 1);
@@ -159,6 +160,7 @@ void vtkPullPushMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SubpixelCenters: " << this->SubpixelCenters << "\n";
+  os << indent << "AveragePoints: " << this->AveragePoints << "\n";
   os << indent << "PerspectiveDiscs: " << this->PerspectiveDiscs << "\n";
   os << indent << "DistanceWeights: " << this->DistanceWeights << "\n";
   os << indent << "UnionRadii: " << this->UnionRadii << "\n";

@@ -45,6 +45,16 @@ public:
 
   ///@{
   /**
+   * Average the points that fall in one pixel, those that are behind the nearest one by no more
+   * than their radius; in the paper (section 3.1) the nearest one stays alone. Default on.
+   */
+  vtkSetMacro(AveragePoints, bool);
+  vtkGetMacro(AveragePoints, bool);
+  vtkBooleanMacro(AveragePoints, bool);
+  ///@}
+
+  ///@{
+  /**
    * Let the ray through a pixel meet the disc itself, and take the depth of that point; the paper
    * (section 3.2) takes the orthogonal projection of the disc and its least depth. Default on.
    */
@@ -98,7 +108,9 @@ public:
 
   /**
    * Copies the one-pixel projections that the last surface buffer was made from into `buffer`: an
-   * image of the viewport's size, the origin at its lower left. Point arrays: "Normals" (float, 3
+   * image of what the steps worked on: the pixel (0, 0) is the viewport's lower left one (or its
+   * first sample), and where the cloud goes on outside of the viewport, a rim around that, whose
+   * points' discs may reach into it, is there too. Point arrays: "Normals" (float, 3
    * components, eye space), "Radius" (float, eye units, 0 where no point fell), "Depth" (float,
    * distance from the eye along the view direction in world units), "Displacement" (float, 2
    * components, in pixels from the pixel's centre to the disc's), "Colors" (float, 4 components) if
@@ -119,10 +131,12 @@ protected:
   void MakeSurfaceBuffer(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
     vtkSurfaceTarget& surface) override;
   bool HasCPUForm() const override { return true; }
+  bool NeedsRim() const override { return true; }
   void MakeSurfacePixels(
     const vtkPointSurfaceView& view, bool ids, bool colors, vtkSurfacePixels& surface) override;
 
   bool SubpixelCenters = true;
+  bool AveragePoints = true;
   bool PerspectiveDiscs = true;
   bool DistanceWeights = true;
   bool UnionRadii = true;

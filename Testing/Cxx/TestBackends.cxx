@@ -168,12 +168,7 @@ void ComparePictures()
   Compare("as published",
     [](Scene& s)
     {
-      s.Mapper->SubpixelCentersOff();
-      s.Mapper->PerspectiveDiscsOff();
-      s.Mapper->DistanceWeightsOff();
-      s.Mapper->UnionRadiiOff();
-      s.Mapper->FillPixelsOff();
-      s.Mapper->DepthTestInPushOff();
+      s.Mapper->SetToPublished();
       s.Actor->GetProperty()->BackfaceCullingOn();
     });
   Compare("lookup table", [](Scene& s) { s.Mapper->ScalarVisibilityOn(); });
