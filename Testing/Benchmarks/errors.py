@@ -82,6 +82,27 @@ POINT_SIZES = (1, 2, 3)  # pixels; the best one is taken
 LEAD_WANTED = 5  # dB over vtkPointGaussianMapper
 SHARE_ALLOWED = 0.001  # of pixels unfilled, or of wrong depth, zoomed in
 
+# Why models are exceptions from what is wanted, by column.
+DETAIL = "detail finer than the discs, which the splats do not show either"
+DENSE = (
+    "radii of about 2 pixels or less, where nearly every pixel has a point of its own and is not smoothed over its "
+    "neighbours as splats are; 2x supersampling makes up for it"
+)
+EDGES = "sharp edges, over which discs reach; ahead of the splats"
+OUTLINES = (
+    "discs reach over inner outlines by up to their radius and hide what is behind, and of sheets thinner than a radius "
+    "the far side comes through; the splats err alike"
+)
+REASONS = {
+    "psnr": {
+        **dict.fromkeys(("armadillo", "dragon", "buddha"), DETAIL),
+        **dict.fromkeys(("horse", "ct-head-promed0051", "mr-head-colin27-t1"), DENSE),
+        "fandisk": EDGES,
+    },
+    "wrong_depth": dict.fromkeys(MODELS, OUTLINES),
+    "unfilled": {},
+}
+
 COLUMNS = {  # name: heading, format, factor, whether more is better
     "psnr": ("PSNR, dB", "{:.2f}", 1, True),
     "ssim": ("SSIM", "{:.4f}", 1, True),
@@ -422,13 +443,18 @@ def by_case(rows):
 
 
 def list_cases(cases, column, is_listed):
-    """Those of the cases whose kinds are to be listed, with a column of the default, the Gaussian mapper and splats."""
-    listed = []
+    """Those of the cases whose kinds are to be listed, with a column of the default, the Gaussian mapper and splats.
+
+    By their reasons, each after the cases that it is of.
+    """
+    listed = {}
     for case, kinds in cases.items():
         if is_listed(kinds):
             values = [format_value(column, kinds[kind][column]) for kind in (DEFAULT, GAUSSIAN, SPLATS)]
-            listed.append(f"{', '.join(case)}: {values[0]} ({values[1]}, splats {values[2]})")
-    return "; ".join(listed) or "none"
+            reason = REASONS[column].get(case[0], "not explained")
+            text = f"{', '.join(case)}: {values[0]} ({values[1]}, splats {values[2]})"
+            listed.setdefault(reason, []).append(text)
+    return ". ".join(f"{'; '.join(texts)} ({reason})" for reason, texts in listed.items()) or "none"
 
 
 def format_summary(rows, noise, name_of_noise):
