@@ -920,6 +920,8 @@ void vtkPointSurfaceMapper::SetMapperShaderParameters(
     this->Internals->ViewportOrigin[1] - view.Rim };
   program->SetUniform2i("psOrigin", origin);
   program->SetUniformi("psHasCoverage", view.Supersampling > 1);
+  program->SetUniform2i("psOrigin", this->Internals->ViewportOrigin);
+  program->SetUniformi("psHasCoverage", view.Supersampling > 1 || this->MakesCoverage());
   const auto pixels = view.GetPixelRectangle();
   const int end[2] = { pixels[0] + pixels[2], pixels[1] + pixels[3] };
   program->SetUniform2i("psBegin", pixels.data());
@@ -970,6 +972,11 @@ std::array<float, 4> vtkPointSurfaceMapper::GetPointColor(vtkIdType id) const
 vtkOpenGLRenderWindow* vtkPointSurfaceMapper::GetLastWindow() const
 {
   return this->Internals->Window;
+}
+
+const vtkPointSurfaceView& vtkPointSurfaceMapper::GetShadedView() const
+{
+  return this->Internals->Current->View;
 }
 
 namespace

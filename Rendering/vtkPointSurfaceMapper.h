@@ -254,9 +254,15 @@ protected:
   virtual void MakeSurfaceBuffer(
     vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& surface) = 0;
 
+  /**
+   * Whether the normals' length is the share of the pixel that the surface covers, to blend by; with
+   * Supersampling it is so whatever this returns. Default false.
+   */
+  virtual bool MakesCoverage() const { return false; }
+
   ///@{
   /**
-   * The same by the processor, for subclasses that can: makes the pixels of the view's rectangle,
+   * MakeSurfaceBuffer() by the processor, for subclasses that can: makes the pixels of the view's rectangle,
    * with ids and colours if asked. What it is given is what ProjectPoints() wants.
    */
   virtual bool HasCPUForm() const { return false; }
@@ -282,6 +288,11 @@ protected:
    * The window of the last frame; nullptr before the first one.
    */
   vtkOpenGLRenderWindow* GetLastWindow() const;
+
+  /**
+   * The view of the surface buffer that is being shaded.
+   */
+  const vtkPointSurfaceView& GetShadedView() const;
 
   ///@{
   /**

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceImage.h"
 
+#include "vtkSurfacePixels.h"
+
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 
 void vtkSurfaceImage::Allocate(
@@ -41,6 +45,47 @@ void vtkSurfaceImage::ClearBlocks(int y, int begin, int end)
   std::fill(radii + begin * BlockSize, radii + end * BlockSize, 0.0f);
   unsigned char* occupied = this->GetOccupied(y);
   std::fill(occupied + begin, occupied + end, static_cast<unsigned char>(0));
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceImage::ReadSurface(vtkSurfacePixels& pixels)
+{
+  const auto& r = this->Bounds;
+  pixels.Allocate(r, this->WithIds, this->HasColors());
+  const size_t width = static_cast<size_t>(r[2] - r[0]);
+  auto readRow = [&](int y)
+  {
+    const float* values = this->GetRow(y, 0);
+    const size_t plane = this->GetPlaneStride();
+    size_t pixel = static_cast<size_t>(y - r[1]) * width;
+    for (int x = r[0]; x < r[2]; ++x, ++pixel)
+    {
+      const float* value = values + x;
+      const bool valid = value[Radius * plane] > 0.0f;
+      for (int k = 0; k < 3; ++k)
+      {
+        pixels.Surface[4 * pixel + k] = valid ? value[(NormalX + k) * plane] : 0.0f;
+      }
+      pixels.Surface[4 * pixel + 3] = valid ? value[IntervalX * plane] : 0.0f;
+      if (this->WithIds)
+      {
+        pixels.Id[pixel] = valid ? this->GetIds(y)[x] : 0;
+      }
+      for (int k = 0; k < 4 && this->HasColors(); ++k)
+      {
+        pixels.Color[4 * pixel + k] = valid ? value[(Red + k) * plane] : 0.0f;
+      }
+    }
+  };
+  constexpr int Grain = 16;
+  vtkSMPTools::For(r[1], r[3], Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType y = begin; y < end; ++y)
+      {
+        readRow(static_cast<int>(y));
+      }
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -17,6 +17,8 @@
 #include <array>
 #include <vector>
 
+struct vtkSurfacePixels;
+
 class vtkSurfaceImage
 {
 public:
@@ -91,6 +93,12 @@ public:
    * Makes blocks [begin, end) of a row invalid.
    */
   void ClearBlocks(int y, int begin, int end);
+
+  /**
+   * Makes a surface buffer of the projected points as they are: their normals, least depths, ids and
+   * colours.
+   */
+  void ReadSurface(vtkSurfacePixels& pixels);
 
   ///@{
   /**

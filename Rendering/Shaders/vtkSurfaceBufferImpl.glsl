@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-  ivec2 psPixel = ivec2(gl_FragCoord.xy) - psOrigin;
+  ivec2 psPixel = ivec2(gl_FragCoord.xy) - psOrigin + psOffset;
   vec4 psGeometry = texelFetch(psSurface, psPixel, 0);
   psPoint = psGeometry.w > 0.0 ? 0 : -1;
 #ifdef HAS_ID
@@ -11,7 +11,7 @@
   psColorOrTCoord = texelFetch(psColor, psPixel, 0);
 #endif
   // the position in eye coordinates, from the pixel and its eye depth
-  vec2 psNDC = 2.0 * (gl_FragCoord.xy - vec2(psOrigin)) / vec2(textureSize(psSurface, 0)) - 1.0;
+  vec2 psNDC = 2.0 * (gl_FragCoord.xy - vec2(psOrigin - psOffset)) / vec2(textureSize(psSurface, 0)) - 1.0;
   vec4 psEye = vec4(0.0, 0.0, -psGeometry.w, 1.0);
   float psW = psVCDC[2][3] * psEye.z + psVCDC[3][3];
   psEye.y = (psNDC.y * psW - psVCDC[2].y * psEye.z - psVCDC[3].y) / psVCDC[1].y;

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Both back ends of vtkImageSpacePointMapper beside the double-precision reference, from the same
+// projected buffer: fills, occluded fills and smoothing with each kernel, as published and with the
+// defaults; then the smoothing of lit colours, of the picture itself.
+
+#include "ImageSpaceReference.h"
+#include "PointSurfaceTestUtilities.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkImageSpacePointMapper.h"
+#include "vtkMath.h"
+#include "vtkMinimalStandardRandomSequence.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <string>
+
+using namespace PointSurfaceTest;
+
+namespace
+{
+Checks check;
+
+/// Two spheres, one partly before the other, sampled at random, with scalars.
+vtkSmartPointer<vtkPolyData> MakeCloud(int count)
+{
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(7);
+  auto next = [&]()
+  {
+    random->Next();
+    return random->GetValue();
+  };
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  normals->SetName("Normals");
+  vtkNew<vtkFloatArray> height;
+  height->SetName("height");
+  for (int i = 0; i < count; ++i)
+  {
+    const double z = 2.0 * next() - 1.0;
+    const double angle = 2.0 * vtkMath::Pi() * next();
+    const double r = std::sqrt(1.0 - z * z);
+    const double n[3] = { r * std::cos(angle), r * std::sin(angle), z };
+    const double size = i % 2 ? 1.0 : 0.5;
+    const double shift = i % 2 ? 0.0 : 1.1;
+    points->InsertNextPoint(
+      size * n[0] + 0.4 * shift, size * n[1] + 0.2 * shift, size * n[2] + shift);
+    normals->InsertNextTuple(n);
+    height->InsertNextValue(static_cast<float>(n[1]));
+  }
+  auto cloud = vtkSmartPointer<vtkPolyData>::New();
+  cloud->SetPoints(points);
+  cloud->GetPointData()->SetNormals(normals);
+  cloud->GetPointData()->SetScalars(height);
+  return cloud;
+}
+
+struct Scene
+{
+  const char* Name;
+  int Width, Height, Points;
+  bool Parallel, Colors, Published, Cull;
+  int Kernel, SmoothingIterations;
+  int BackgroundFills; ///< at most; -1: as the mapper wants
+};
+
+struct Stage
+{
+  vtkNew<vtkImageSpacePointMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+
+  Stage(const Scene& scene, int backend)
+  {
+    this->Mapper->SetInputData(MakeCloud(scene.Points));
+    this->Mapper->SetRadius(1.7 * std::sqrt(4.0 * vtkMath::Pi() / scene.Points));
+    this->Mapper->SetScalarRange(-1.0, 1.0);
+    this->Mapper->SetScalarVisibility(scene.Colors);
+    if (scene.Published)
+    {
+      this->Mapper->SetToPublished();
+      this->Mapper->SmoothLitColorsOff(); // the surface buffer shows smoothed normals
+    }
+    this->Mapper->SetSmoothingKernel(scene.Kernel);
+    this->Mapper->SetSmoothingIterations(scene.SmoothingIterations);
+    this->Mapper->SetMaximumBackgroundFills(scene.BackgroundFills);
+    this->Mapper->RecordPointIdsOn();
+    this->Mapper->SetBackend(backend);
+    this->Actor->SetMapper(this->Mapper);
+    this->Actor->GetProperty()->SetBackfaceCulling(scene.Cull);
+    this->Renderer->AddActor(this->Actor);
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(scene.Width, scene.Height);
+    this->Window->AddRenderer(this->Renderer);
+    this->Renderer->ResetCamera();
+    this->Renderer->GetActiveCamera()->SetParallelProjection(scene.Parallel);
+    this->Renderer->GetActiveCamera()->Azimuth(20.0);
+    this->Renderer->GetActiveCamera()->Zoom(1.5);
+    this->Renderer->ResetCameraClippingRange();
+    this->Window->Render();
+  }
+};
+
+ImageSpaceReference ReadProjection(vtkImageData* projected)
+{
+  int size[3];
+  projected->GetDimensions(size);
+  vtkPointData* data = projected->GetPointData();
+  ImageSpaceReference image(size[0], size[1]);
+  for (int id = 0; id < size[0] * size[1]; ++id)
+  {
+    ImageSpaceReference::Pixel& pixel = image.At(id % size[0], id / size[0]);
+    pixel.Depth = data->GetArray("Depth")->GetComponent(id, 0);
+    data->GetArray("Normals")->GetTuple(id, pixel.Normal.data());
+    pixel.Source = static_cast<int>(data->GetArray("PointIds")->GetComponent(id, 0));
+    if (data->HasArray("Colors"))
+    {
+      data->GetArray("Colors")->GetTuple(id, pixel.Color.data());
+    }
+  }
+  return image;
+}
+
+constexpr double Kernels[3][3] = { { 1, 1, 1 }, { 4, 2, 1 }, { 16, 2, 1 } };
+
+void Compare(const Scene& scene, int backend)
+{
+  Stage stage(scene, backend);
+  vtkImageSpacePointMapper* mapper = stage.Mapper;
+  vtkNew<vtkImageData> projected;
+  vtkNew<vtkImageData> surface;
+  const std::string name =
+    std::string(scene.Name) + (backend == vtkImageSpacePointMapper::CPU ? ", CPU" : ", OpenGL");
+  check(mapper->GetLastFrameBackend() == backend && mapper->ReadProjectedBuffer(projected) &&
+      mapper->ReadSurfaceBuffer(surface),
+    name + ": buffers can be read");
+
+  ImageSpaceReference reference = ReadProjection(projected);
+  vtkFieldData* plan = projected->GetFieldData();
+  const double distance = plan->GetArray("LayerDistance")->GetComponent(0, 0);
+  if (scene.Published)
+  {
+    const double farPlane = stage.Renderer->GetActiveCamera()->GetClippingRange()[1];
+    check(std::abs(distance - 1e-4 * farPlane) < 1e-5 * distance,
+      name + ": the paper's distance of layers");
+  }
+  const int maximum[2] = { static_cast<int>(plan->GetArray("MaximumFills")->GetComponent(0, 0)),
+    static_cast<int>(plan->GetArray("MaximumFills")->GetComponent(1, 0)) };
+  const int reach[2] = { static_cast<int>(plan->GetArray("Reach")->GetComponent(0, 0)),
+    static_cast<int>(plan->GetArray("Reach")->GetComponent(1, 0)) };
+  check((reach[0] == 0 && reach[1] == 0) == scene.Published, name + ": outlines as published");
+  const int fills = reference.FillBackground(maximum[0], reach[0]);
+  const int occluded = reference.FillOccluded(maximum[1], distance, reach[1]);
+  check(fills == mapper->GetLastFrameBackgroundFills(), name + ": as many background fills");
+  check(std::abs(occluded - mapper->GetLastFrameOccludedFills()) <= 1,
+    name + ": as many occluded fills, but for a close call");
+  for (int i = 0; i < scene.SmoothingIterations; ++i)
+  {
+    const double* k = Kernels[scene.Kernel];
+    reference.Smooth({ k[0], k[1], k[2] },
+      scene.Published ? std::numeric_limits<double>::infinity() : distance, !scene.Cull);
+  }
+
+  int covered = 0;
+  int close = 0;
+  int closeDiffering = 0;
+  int differing = 0;
+  double worst = 0.0;
+  vtkPointData* data = surface->GetPointData();
+  for (int id = 0; id < scene.Width * scene.Height; ++id)
+  {
+    const ImageSpaceReference::Pixel& expected =
+      reference.At(id % scene.Width, id / scene.Width);
+    const double depth = data->GetArray("Depth")->GetComponent(id, 0);
+    if (expected.Depth == 0.0 && depth == 0.0)
+    {
+      continue;
+    }
+    ++covered;
+    const int source = static_cast<int>(data->GetArray("PointIds")->GetComponent(id, 0));
+    const bool differs = (expected.Depth == 0.0) != (depth == 0.0) || source != expected.Source;
+    if (expected.NearDecision)
+    {
+      ++close;
+      closeDiffering += differs;
+      continue;
+    }
+    if (differs)
+    {
+      ++differing;
+      continue;
+    }
+    double difference = std::abs(depth - expected.Depth) / expected.Depth;
+    for (int k = 0; k < 3; ++k)
+    {
+      const double error = data->GetArray("Normals")->GetComponent(id, k) - expected.Normal[k];
+      difference = std::max(difference, std::abs(error));
+    }
+    for (int k = 0; k < 4 && scene.Colors; ++k)
+    {
+      const double error = data->GetArray("Colors")->GetComponent(id, k) - expected.Color[k];
+      difference = std::max(difference, std::abs(error));
+    }
+    worst = difference <= worst ? worst : difference; // not a number is no agreement
+  }
+  std::cout << name << ": " << fills << " and " << occluded << " fills, covered " << covered
+            << ", near a decision " << close << " (" << closeDiffering << " differing)\n";
+  check.AtLeast(covered, 0.15 * scene.Width * scene.Height, name + ": covered pixels");
+  check.AtMost(differing, 0.001 * covered, name + ": differing in validity or source");
+  check.AtMost(worst, 1e-4, name + ": largest difference of the others");
+  check.AtMost(close, 0.05 * covered, name + ": near a decision");
+}
+
+/// Smoothing of lit colours, beside the reference's smoothing of the picture.
+void CompareLit(int backend)
+{
+  const Scene scene = { "lit", 300, 300, 60000, false, true, true, true,
+    vtkImageSpacePointMapper::AlleviatedGaussian, 1, 3 };
+  Stage stage(scene, backend);
+  vtkNew<vtkImageData> surface;
+  stage.Mapper->SetSmoothingIterations(0);
+  stage.Window->Render();
+  stage.Mapper->ReadSurfaceBuffer(surface);
+  vtkNew<vtkUnsignedCharArray> lit;
+  stage.Window->GetPixelData(0, 0, scene.Width - 1, scene.Height - 1, 0, lit);
+  stage.Mapper->SetSmoothingIterations(1);
+  stage.Mapper->SmoothLitColorsOn();
+  stage.Window->Render();
+  vtkNew<vtkUnsignedCharArray> smoothed;
+  stage.Window->GetPixelData(0, 0, scene.Width - 1, scene.Height - 1, 0, smoothed);
+
+  ImageSpaceReference reference(scene.Width, scene.Height);
+  for (int id = 0; id < scene.Width * scene.Height; ++id)
+  {
+    ImageSpaceReference::Pixel& pixel = reference.At(id % scene.Width, id / scene.Width);
+    pixel.Depth = surface->GetPointData()->GetArray("Depth")->GetComponent(id, 0);
+    for (int k = 0; k < 3; ++k)
+    {
+      pixel.Color[k] = lit->GetComponent(id, k);
+    }
+  }
+  reference.Smooth({ 16.0, 2.0, 1.0 });
+  double worst = 0.0;
+  double change = 0.0;
+  int covered = 0;
+  for (int id = 0; id < scene.Width * scene.Height; ++id)
+  {
+    const auto& pixel = reference.At(id % scene.Width, id / scene.Width);
+    covered += pixel.Depth > 0.0;
+    for (int k = 0; k < 3 && pixel.Depth > 0.0; ++k)
+    {
+      worst = std::max(worst, std::abs(pixel.Color[k] - smoothed->GetComponent(id, k)));
+      change += std::abs(lit->GetComponent(id, k) - smoothed->GetComponent(id, k));
+    }
+  }
+  const std::string name = backend == vtkImageSpacePointMapper::CPU ? "CPU" : "OpenGL";
+  check.AtLeast(covered, 20000, name + ", lit colours: covered pixels");
+  check.AtMost(worst, 1.1, name + ", lit colours: largest difference, grey levels, of bytes");
+  check.AtLeast(change / covered, 0.5, name + ", lit colours: mean change by smoothing");
+}
+}
+
+int TestImageSpaceAgreement(int, char*[])
+{
+  using Mapper = vtkImageSpacePointMapper;
+  const Scene scenes[] = {
+    { "published", 400, 400, 150000, false, true, true, true, Mapper::AlleviatedGaussian, 1, 3 },
+    { "default", 400, 400, 150000, false, true, false, true, Mapper::Gaussian, 1, -1 },
+    { "two-sided", 301, 233, 60000, true, false, false, false, Mapper::Box, 2, -1 },
+    { "sparse", 200, 300, 8000, false, false, false, true, Mapper::Gaussian, 3, -1 },
+  };
+  for (const Scene& scene : scenes)
+  {
+    Compare(scene, Mapper::OpenGL);
+    Compare(scene, Mapper::CPU);
+  }
+  CompareLit(Mapper::OpenGL);
+  CompareLit(Mapper::CPU);
+  return check.GetResult();
+}
