@@ -4,8 +4,8 @@
  * @brief   fills pixels of the background that are holes in a surface
  *
  * Rosenthal and Linsen 2008, section 4: a pixel of the background takes colour, normal and depth of
- * its nearest neighbour, unless five neighbours in a row of the eight around it are background. Over
- * vtkPolyDataMapper with points of one pixel this closes the surface of a dense cloud.
+ * its nearest neighbour, unless five neighbours in a row of the eight around it are background.
+ * Over vtkPolyDataMapper with points of one pixel this closes the surface of a dense cloud.
  *
  * @sa vtkImageSpacePass vtkOccludedFillPass vtkImageSpacePointMapper
  */

@@ -24,8 +24,8 @@ public:
   ///@{
   /**
    * What the Laplace filter has to reach between two layers of surface, in world units; the border
-   * of the background counts as an edge in any case. 0, the default: ten times the width of a pixel.
-   * VTK_DOUBLE_MAX: the border of the background alone.
+   * of the background counts as an edge in any case. 0, the default: ten times the width of a
+   * pixel. VTK_DOUBLE_MAX: the border of the background alone.
    */
   vtkSetClampMacro(Threshold, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Threshold, double);

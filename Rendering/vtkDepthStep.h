@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkDepthStep
- * @brief   how far apart in depth two layers of surface are, in eye units; a linear function of depth
+ * @brief   how far apart in depth two layers of surface are, in eye units; a linear function of
+ * depth
  *
  * The same at every depth, or so many times the width of a pixel there. In GLSL a vec2:
  * depthStep.x * depth + depthStep.y.

@@ -23,11 +23,11 @@ public:
 
   ///@{
   /**
-   * Cosine of the angle between normals two pixels apart, under which there is a line, -1 to 1;
-   * 0.05 more and less is where lines begin to show and are full. Default 0.8, 37 degrees: a line
-   * where the radius of curvature is under about three pixels.
+   * Cosine of the angle between normals two pixels apart, under which there is a line, -1 to
+   * 0.999; half-way from there to 1 lines begin to show. Default 0.7, 46 degrees: a line where the
+   * radius of curvature is under about two and a half pixels.
    */
-  vtkSetClampMacro(Threshold, double, -1.0, 1.0);
+  vtkSetClampMacro(Threshold, double, -1.0, 0.999);
   vtkGetMacro(Threshold, double);
   ///@}
 
@@ -50,7 +50,7 @@ protected:
     vtkOpenGLRenderWindow* window, vtkSurfaceTarget& image, vtkSurfaceTarget& lines) override;
   double GetFoundThickness() const override { return 2.0; }
 
-  double Threshold = 0.8;
+  double Threshold = 0.7;
   double LayerDistance = 0.0;
 
 private:

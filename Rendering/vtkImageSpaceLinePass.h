@@ -42,8 +42,8 @@ protected:
   ~vtkImageSpaceLinePass() override;
 
   /**
-   * Writes to `lines`, with the layer Shape alone, how sure a pixel of `image` is of a line, 0 to 1,
-   * in the first component.
+   * Writes to `lines`, with the layer Shape alone, how sure a pixel of `image` is of a line, 0 to
+   * 1, in the first component.
    */
   virtual void FindLines(
     vtkOpenGLRenderWindow* window, vtkSurfaceTarget& image, vtkSurfaceTarget& lines) = 0;

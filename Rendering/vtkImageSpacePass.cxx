@@ -25,9 +25,12 @@
 #include "vtkSSAOPass.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+#include "vtkWeakPointer.h"
 
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -54,6 +57,58 @@ vtkObjectBase* GetInnermostPass(vtkProp* prop)
     : 0;
   return count > 0 ? keys->Get(vtkOpenGLRenderPass::RenderPasses(), count - 1) : nullptr;
 }
+
+/// Keeps vtkSSAOPass from the shaders of what is drawn here and not for it, while it lives.
+class WithoutSSAO
+{
+public:
+  explicit WithoutSSAO(const vtkRenderState* s)
+  {
+    for (int i = 0; i < s->GetPropArrayCount(); ++i)
+    {
+      vtkInformation* keys = s->GetPropArray()[i]->GetPropertyKeys();
+      this->Set(keys, this->GetOthers(keys));
+    }
+  }
+
+  ~WithoutSSAO()
+  {
+    for (auto& saved : this->Saved)
+    {
+      this->Set(saved.first, saved.second);
+    }
+  }
+
+private:
+  using PassList = std::vector<vtkObjectBase*>;
+
+  PassList GetOthers(vtkInformation* keys)
+  {
+    PassList all;
+    PassList others;
+    for (int i = 0; i < vtkOpenGLRenderPass::RenderPasses()->Length(keys); ++i)
+    {
+      all.push_back(keys->Get(vtkOpenGLRenderPass::RenderPasses(), i));
+      if (!vtkSSAOPass::SafeDownCast(all.back()))
+      {
+        others.push_back(all.back());
+      }
+    }
+    this->Saved.emplace_back(keys, all);
+    return others;
+  }
+
+  static void Set(vtkInformation* keys, const PassList& passes)
+  {
+    keys->Remove(vtkOpenGLRenderPass::RenderPasses());
+    for (vtkObjectBase* pass : passes) // they are held by those who render
+    {
+      keys->Append(vtkOpenGLRenderPass::RenderPasses(), pass);
+    }
+  }
+
+  std::vector<std::pair<vtkInformation*, PassList>> Saved;
+};
 
 /// What the pass that encloses one that is about to start takes from it.
 Outputs GetEnclosingOutputs(const vtkRenderState* s)
@@ -82,16 +137,17 @@ public:
   vtkNew<vtkTextureObject> Color;
   vtkNew<vtkTextureObject> Normal;
   vtkNew<vtkTextureObject> Depth;
+  std::array<int, 2> Size{}; // of these
 
   vtkSurfaceTarget Images[2];
   vtkScreenPass Read{ std::string("//VTK::System::Dec\n") +
-    vtkSurfaceTarget::GetOutputDeclarations({ vtkSurfaceTarget::Surface,
-      vtkSurfaceTarget::Color }) +
+    vtkSurfaceTarget::GetOutputDeclarations(
+      { vtkSurfaceTarget::Surface, vtkSurfaceTarget::Color }) +
     vtkImageSpaceDepth + vtkImageSpaceReadFS };
   vtkScreenPass Write[3] = { vtkScreenPass(GetWriteShader(0)), vtkScreenPass(GetWriteShader(1)),
     vtkScreenPass(GetWriteShader(2)) };
   vtkOpenGLRenderTimer Timer;
-  vtkOpenGLRenderWindow* Window = nullptr; // of the last frame; cleared when it releases us
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last frame; cleared when it releases us
 
   std::array<int, 4> Rectangle{};
   vtkNew<vtkMatrix4x4> VCDC;
@@ -100,8 +156,7 @@ public:
   bool IsBound() const;
 };
 
-void vtkImageSpacePass::vtkInternals::Allocate(
-  vtkOpenGLRenderWindow* window, int width, int height)
+void vtkImageSpacePass::vtkInternals::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
 {
   const std::vector<vtkSurfaceTarget::Layer> layers = { vtkSurfaceTarget::Surface,
     vtkSurfaceTarget::Color };
@@ -109,11 +164,11 @@ void vtkImageSpacePass::vtkInternals::Allocate(
   {
     image.Allocate(window, width, height, layers);
   }
-  if (static_cast<int>(this->Color->GetWidth()) == width &&
-    static_cast<int>(this->Color->GetHeight()) == height)
+  if (this->Size == std::array<int, 2>{ width, height })
   {
     return;
   }
+  this->Size = { width, height };
   this->Framebuffer->SetContext(window);
   for (vtkTextureObject* texture : { this->Color.Get(), this->Normal.Get() })
   {
@@ -157,7 +212,6 @@ void vtkImageSpacePass::ReleaseGraphicsResources(vtkWindow* w)
     { internals.Color.Get(), internals.Normal.Get(), internals.Depth.Get() })
   {
     texture->ReleaseGraphicsResources(w);
-    texture->Resize(0, 0);
   }
   for (vtkSurfaceTarget& image : internals.Images)
   {
@@ -169,6 +223,7 @@ void vtkImageSpacePass::ReleaseGraphicsResources(vtkWindow* w)
     pass.ReleaseGraphicsResources();
   }
   internals.Timer.ReleaseGraphicsResources();
+  internals.Size = {};
   internals.Window = nullptr;
 }
 
@@ -184,6 +239,12 @@ void vtkImageSpacePass::Render(const vtkRenderState* s)
   vtkInternals& internals = *this->Internals;
   vtkRenderer* renderer = s->GetRenderer();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  if (internals.Window && internals.Window != window)
+  {
+    internals.Window->MakeCurrent();
+    this->ReleaseGraphicsResources(internals.Window);
+    window->MakeCurrent();
+  }
   internals.Window = window;
   int size[2];
   int origin[2] = { 0, 0 };
@@ -292,7 +353,10 @@ void vtkImageSpacePass::DrawDelegate(
   inner.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());
   inner.SetRequiredKeys(s->GetRequiredKeys());
   inner.SetFrameBuffer(internals.Framebuffer);
-  this->DelegatePass->Render(&inner);
+  {
+    const WithoutSSAO withoutSSAO(s);
+    this->DelegatePass->Render(&inner);
+  }
   this->NumberOfRenderedProps += this->DelegatePass->GetNumberOfRenderedProps();
   state->PopFramebufferBindings();
   this->PostRender(s);
@@ -345,27 +409,25 @@ void vtkImageSpacePass::WriteImage(
 }
 
 //------------------------------------------------------------------------------
-bool vtkImageSpacePass::PreReplaceShaderValues(std::string&, std::string&,
-  std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
+bool vtkImageSpacePass::PreReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
 {
   if (vtkPolyDataMapper::SafeDownCast(mapper) && GetInnermostPass(prop) == this)
   {
-    // behind what enclosing passes write (vtkSSAOPass, at the lights), which is not for this one
-    vtkShaderProgram::Substitute(fragmentShader, "//VTK::TCoord::Impl",
-      "//VTK::TCoord::Impl\n  //PointSurface::Normal\n", false);
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Impl",
+      "//VTK::Light::Impl\n  //PointSurface::Normal\n", false);
   }
   return true;
 }
 
-bool vtkImageSpacePass::PostReplaceShaderValues(std::string&, std::string&,
-  std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
+bool vtkImageSpacePass::PostReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
 {
   if (vtkPolyDataMapper::SafeDownCast(mapper) && GetInnermostPass(prop) == this)
   {
     const bool hasNormals = fragmentShader.find("normalVCVSOutput") != std::string::npos;
     vtkShaderProgram::Substitute(fragmentShader, "//PointSurface::Normal",
-      hasNormals ? "gl_FragData[1] = vec4(normalVCVSOutput, 1.0);"
-                 : "gl_FragData[1] = vec4(0.0);",
+      hasNormals ? "gl_FragData[1] = vec4(normalVCVSOutput, 1.0);" : "gl_FragData[1] = vec4(0.0);",
       false);
   }
   return true;

@@ -13,9 +13,9 @@
  * the delegate they come too, and to a vtkSSAOPass around they go; where none come (from another
  * pass, a volume, vtkPointGaussianMapper), they are taken from the depths.
  *
- * A distance between layers of surface is along the view direction in world units; 0, the default of
- * every pass, is ten times the width of a pixel at the depth where it is, whatever the scale and the
- * camera are.
+ * A distance between layers of surface is along the view direction in world units; 0, the default
+ * of every pass, is ten times the width of a pixel at the depth where it is, whatever the scale and
+ * the camera are.
  *
  * @sa vtkBackgroundFillPass vtkOccludedFillPass vtkSurfaceSmoothingPass vtkDepthAntialiasingPass
  * vtkSilhouettePass vtkFeatureLinePass
@@ -62,9 +62,9 @@ protected:
   ~vtkImageSpacePass() override;
 
   /**
-   * Filters `image`, with layers Surface (normal, and depth along the view direction in world units,
-   * 0 for the background) and Color, with `spare` of the same layers to work in. The result is in
-   * `image`; the two may change places. OpenGL's state is without blending and depth test.
+   * Filters `image`, with layers Surface (normal, and depth along the view direction in world
+   * units, 0 for the background) and Color, with `spare` of the same layers to work in. The result
+   * is in `image`; the two may change places. OpenGL's state is without blending and depth test.
    */
   virtual void Filter(
     vtkOpenGLRenderWindow* window, vtkSurfaceTarget*& image, vtkSurfaceTarget*& spare) = 0;
@@ -85,8 +85,7 @@ private:
   void operator=(const vtkImageSpacePass&) = delete;
 
   // `origin` is that of the viewport in the framebuffer that is drawn to.
-  void DrawDelegate(
-    const vtkRenderState* s, vtkOpenGLRenderWindow* window, const int origin[2]);
+  void DrawDelegate(const vtkRenderState* s, vtkOpenGLRenderWindow* window, const int origin[2]);
   void ReadImage(vtkOpenGLRenderWindow* window, vtkSurfaceTarget& image);
   void WriteImage(
     vtkOpenGLRenderWindow* window, int outputs, const int origin[2], vtkSurfaceTarget& image);

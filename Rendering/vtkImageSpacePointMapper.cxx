@@ -243,8 +243,8 @@ void vtkImageSpacePointMapper::MakeSurfaceBuffer(
   internals.Timers[BackgroundFill].Stop();
 
   internals.Timers[OccludedFill].Start();
-  this->LastFrameOccludedFills =
-    internals.Fill.Run(window, plan.Occluded, plan.Rectangle, current, spare, this->LastFramePasses);
+  this->LastFrameOccludedFills = internals.Fill.Run(
+    window, plan.Occluded, plan.Rectangle, current, spare, this->LastFramePasses);
   internals.Timers[OccludedFill].Stop();
 
   if (last == 0)

@@ -50,7 +50,8 @@ void FindCandidates(const float* below, const float* row, const float* above, in
   for (int x = 0; x < width; ++x)
   {
     const float depth = row[x + 1];
-    const float limit = occluded ? depth - (depthStep.PerDepth * depth + depthStep.Constant) : Infinite;
+    const float limit =
+      occluded ? depth - (depthStep.PerDepth * depth + depthStep.Constant) : Infinite;
     const float* rows[3] = { below + x, row + x, above + x };
     unsigned char front[3][3];
     VTK_POINT_SURFACE_UNROLL
@@ -60,8 +61,7 @@ void FindCandidates(const float* below, const float* row, const float* above, in
       for (int i = 0; i < 3; ++i)
       {
         const float d = rows[j][i];
-        front[j][i] =
-          static_cast<unsigned char>((d > 0.0f ? 1 : 0) & (d <= limit ? 1 : 0));
+        front[j][i] = static_cast<unsigned char>((d > 0.0f ? 1 : 0) & (d <= limit ? 1 : 0));
       }
     }
     const unsigned char left = front[0][0] | front[1][0] | front[2][0];
@@ -187,7 +187,8 @@ void vtkMaskFillCPU::FindFillable(
     {
       continue;
     }
-    const float limit = options.Occluded ? rows[1][x + 1] - options.DepthStep.At(rows[1][x + 1]) : Infinite;
+    const float limit =
+      options.Occluded ? rows[1][x + 1] - options.DepthStep.At(rows[1][x + 1]) : Infinite;
     unsigned int beyond = 0;
     float nearest = Infinite;
     size_t source = 0;
@@ -203,8 +204,7 @@ void vtkMaskFillCPU::FindFillable(
       }
     }
     if (!HasRun(beyond, 5) &&
-      !(options.Reach > 0 &&
-        HasRun(FindOpenDirections(options, pixels, x, row, limit, beyond), 3)))
+      !(options.Reach > 0 && HasRun(FindOpenDirections(options, pixels, x, row, limit, beyond), 3)))
     {
       Filled filled = {};
       filled.Pixel = static_cast<size_t>(row) * width + x;

@@ -255,15 +255,15 @@ protected:
     vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& surface) = 0;
 
   /**
-   * Whether the normals' length is the share of the pixel that the surface covers, to blend by; with
-   * Supersampling it is so whatever this returns. Default false.
+   * Whether the normals' length is the share of the pixel that the surface covers, to blend by;
+   * with Supersampling it is so whatever this returns. Default false.
    */
   virtual bool MakesCoverage() const { return false; }
 
   ///@{
   /**
-   * MakeSurfaceBuffer() by the processor, for subclasses that can: makes the pixels of the view's rectangle,
-   * with ids and colours if asked. What it is given is what ProjectPoints() wants.
+   * MakeSurfaceBuffer() by the processor, for subclasses that can: makes the pixels of the view's
+   * rectangle, with ids and colours if asked. What it is given is what ProjectPoints() wants.
    */
   virtual bool HasCPUForm() const { return false; }
   virtual void MakeSurfacePixels(

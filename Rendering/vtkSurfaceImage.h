@@ -95,8 +95,8 @@ public:
   void ClearBlocks(int y, int begin, int end);
 
   /**
-   * Makes a surface buffer of the projected points as they are: their normals, least depths, ids and
-   * colours.
+   * Makes a surface buffer of the projected points as they are: their normals, least depths, ids
+   * and colours.
    */
   void ReadSurface(vtkSurfacePixels& pixels);
 

@@ -35,8 +35,8 @@ void vtkSurfaceStepOpenGL::Run(vtkOpenGLRenderWindow* window, vtkSurfaceTarget& 
   program->SetUniform2i("end", rectangle.data() + 2);
   setUniforms(program);
   output.BindForWriting(window);
-  pass->Draw(window, rectangle[0], rectangle[1], rectangle[2] - rectangle[0],
-    rectangle[3] - rectangle[1]);
+  pass->Draw(
+    window, rectangle[0], rectangle[1], rectangle[2] - rectangle[0], rectangle[3] - rectangle[1]);
   input.Deactivate();
 }
 

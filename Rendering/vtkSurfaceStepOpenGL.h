@@ -34,8 +34,7 @@ public:
    * program when it is current. The uniforms "begin" and "end" are the rectangle's.
    */
   void Run(vtkOpenGLRenderWindow* window, vtkSurfaceTarget& input, vtkSurfaceTarget& output,
-    const std::array<int, 4>& rectangle,
-    const std::function<void(vtkShaderProgram*)>& setUniforms);
+    const std::array<int, 4>& rectangle, const std::function<void(vtkShaderProgram*)>& setUniforms);
 
   void ReleaseGraphicsResources();
 

@@ -28,5 +28,5 @@ void main()
       cosine = min(cosine, dot(a.xyz, b.xyz));
     }
   }
-  OUT_SHAPE = vec4(1.0 - smoothstep(threshold - 0.05, threshold + 0.05, cosine));
+  OUT_SHAPE = vec4(1.0 - smoothstep(threshold, 0.5 * (threshold + 1.0), cosine));
 }

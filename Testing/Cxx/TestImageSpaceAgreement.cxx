@@ -187,8 +187,7 @@ void Compare(const Scene& scene, int backend)
   vtkPointData* data = surface->GetPointData();
   for (int id = 0; id < scene.Width * scene.Height; ++id)
   {
-    const ImageSpaceReference::Pixel& expected =
-      reference.At(id % scene.Width, id / scene.Width);
+    const ImageSpaceReference::Pixel& expected = reference.At(id % scene.Width, id / scene.Width);
     const double depth = data->GetArray("Depth")->GetComponent(id, 0);
     if (expected.Depth == 0.0 && depth == 0.0)
     {

@@ -67,8 +67,7 @@ const Pixel& ImageSpaceReference::Get(int x, int y) const
 }
 
 //------------------------------------------------------------------------------
-bool ImageSpaceReference::IsInFront(
-  const Pixel& pixel, double limit, CloseCalls closeCalls) const
+bool ImageSpaceReference::IsInFront(const Pixel& pixel, double limit, CloseCalls closeCalls) const
 {
   const bool close = pixel.NearDecision || (pixel.Depth > 0.0 && IsClose(pixel.Depth, limit));
   return close && closeCalls != AsTheyAre ? closeCalls == InFront
@@ -77,8 +76,7 @@ bool ImageSpaceReference::IsInFront(
 
 //------------------------------------------------------------------------------
 // Whether three neighbouring directions are open.
-bool ImageSpaceReference::IsOpen(
-  int x, int y, double limit, int reach, CloseCalls closeCalls) const
+bool ImageSpaceReference::IsOpen(int x, int y, double limit, int reach, CloseCalls closeCalls) const
 {
   bool open[8];
   for (int i = 0; i < 8; ++i)
