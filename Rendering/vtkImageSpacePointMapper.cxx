@@ -238,12 +238,12 @@ void vtkImageSpacePointMapper::MakeSurfaceBuffer(
   ++this->LastFramePasses;
 
   internals.Timers[BackgroundFill].Start();
-  this->LastFrameBackgroundFills = internals.Fill.Run(
+  this->LastFrameBackgroundFills += internals.Fill.Run(
     window, plan.Background, plan.Rectangle, current, spare, this->LastFramePasses);
   internals.Timers[BackgroundFill].Stop();
 
   internals.Timers[OccludedFill].Start();
-  this->LastFrameOccludedFills = internals.Fill.Run(
+  this->LastFrameOccludedFills += internals.Fill.Run(
     window, plan.Occluded, plan.Rectangle, current, spare, this->LastFramePasses);
   internals.Timers[OccludedFill].Stop();
 
@@ -279,9 +279,9 @@ void vtkImageSpacePointMapper::MakeSurfacePixels(
   const Plan plan = this->MakePlan(view);
   internals.ProjectedCPU.ReadSurface(surface);
   internals.Time(BackgroundFill,
-    [&] { this->LastFrameBackgroundFills = internals.FillCPU.Run(plan.Background, surface); });
+    [&] { this->LastFrameBackgroundFills += internals.FillCPU.Run(plan.Background, surface); });
   internals.Time(OccludedFill,
-    [&] { this->LastFrameOccludedFills = internals.FillCPU.Run(plan.Occluded, surface); });
+    [&] { this->LastFrameOccludedFills += internals.FillCPU.Run(plan.Occluded, surface); });
   internals.Time(Smoothing,
     [&]
     {

@@ -7,18 +7,19 @@ from statistics import median
 STAGES = ("Project", "Reconstruct", "Shade")
 
 
-def time_frames(window, renderer, frames=20, warm_up=3, mapper=None):
+def time_frames(window, renderer, frames=20, warm_up=3, mapper=None, stages=STAGES):
     """Median milliseconds of a frame, until OpenGL has finished it, with a camera that moves before every frame.
 
     mapper: a vtkPointSurfaceMapper, whose stages are asked for after each frame, when nothing is left to wait for.
-    Returns a dict: "frame", and with a mapper "project", "reconstruct" and "shade".
+    stages: of the mapper, by the names in its methods GetLastFrame...Milliseconds.
+    Returns a dict: "frame", and with a mapper its stages by their names in lower case.
     """
     for _ in range(warm_up):
         _draw_next_frame(window, renderer)
     samples = {"frame": []}
     for _ in range(frames):
         samples["frame"].append(_draw_next_frame(window, renderer))
-        for stage in STAGES if mapper is not None else ():
+        for stage in stages if mapper is not None else ():
             milliseconds = getattr(mapper, f"GetLastFrame{stage}Milliseconds")()
             samples.setdefault(stage.lower(), []).append(milliseconds)
     return {name: median(milliseconds) for name, milliseconds in samples.items()}

@@ -367,6 +367,53 @@ void TestNothingToDo(bool parallel, bool offOrigin)
   check.AtMost(worst, offOrigin ? 1e-5 : 1.2e-7, "and its window depths, to the last of 24 bits");
 }
 
+int CountDifferent(const std::vector<double>& a, const std::vector<double>& b)
+{
+  int count = 0;
+  for (size_t i = 0; i < a.size(); i += 3)
+  {
+    count +=
+      std::abs(a[i] - b[i]) + std::abs(a[i + 1] - b[i + 1]) + std::abs(a[i + 2] - b[i + 2]) > 6.0;
+  }
+  return count;
+}
+
+int CountCovered(View& view)
+{
+  const std::vector<float> depths = view.ReadWindowDepths();
+  return static_cast<int>(
+    std::count_if(depths.begin(), depths.end(), [](float depth) { return depth < 1.0f; }));
+}
+
+/// Nothing drawn, or all of the frame covered by one surface: nothing to do for any pass.
+void TestUniformFrames()
+{
+  vtkNew<vtkBackgroundFillPass> fill;
+  vtkNew<vtkOccludedFillPass> occluded;
+  vtkNew<vtkSurfaceSmoothingPass> smooth;
+  vtkNew<vtkDepthAntialiasingPass> antialias;
+  vtkNew<vtkSilhouettePass> silhouettes;
+  vtkNew<vtkFeatureLinePass> lines;
+  const Passes all = { fill, occluded, smooth, antialias, silhouettes, lines };
+  View empty(50, 40);
+  empty.Renderer->ResetCamera();
+  View whole(50, 40);
+  AddCube(whole.Renderer);
+  whole.Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 1.2);
+  whole.Renderer->GetActiveCamera()->SetViewAngle(2.0);
+  whole.Renderer->GetActiveCamera()->SetClippingRange(0.01, 3.0);
+  for (View* view : { &empty, &whole })
+  {
+    view->Render({});
+    const std::vector<double> plain = view->ReadColors();
+    check(CountCovered(*view) == (view == &empty ? 0 : 2000), "the frame is empty, or covered");
+    view->Render(all);
+    check.AtMost(CountDifferent(plain, view->ReadColors()), 0, "a uniform frame: pixels changed");
+    check(fill->GetLastFrameIterations() == 0 && occluded->GetLastFrameIterations() == 0,
+      "and no iteration");
+  }
+}
+
 /// Share of the pixels for which `wanted` holds that are of a line, black on what is brighter.
 struct LineCount
 {
@@ -450,24 +497,6 @@ void TestLines()
   const LineCount count = CountLines(cube, cubePlain, [](double, double) { return true; });
   check.AtLeast(count.Inside, 300.0, "feature lines of a cube: area");
   check.AtMost(count.Inside, 900.0, "feature lines of a cube: area");
-}
-
-int CountDifferent(const std::vector<double>& a, const std::vector<double>& b)
-{
-  int count = 0;
-  for (size_t i = 0; i < a.size(); i += 3)
-  {
-    count +=
-      std::abs(a[i] - b[i]) + std::abs(a[i + 1] - b[i + 1]) + std::abs(a[i + 2] - b[i + 2]) > 6.0;
-  }
-  return count;
-}
-
-int CountCovered(View& view)
-{
-  const std::vector<float> depths = view.ReadWindowDepths();
-  return static_cast<int>(
-    std::count_if(depths.begin(), depths.end(), [](float depth) { return depth < 1.0f; }));
 }
 
 /// With VTK's own passes, in any order: each leaves its mark, and the surface stays whole.
@@ -602,6 +631,7 @@ int TestImageSpacePasses(int argc, char* argv[])
   TestAgainstReference(true, true);
   TestNothingToDo(false, false);
   TestNothingToDo(true, true);
+  TestUniformFrames();
   TestLines();
   TestChains();
   TestWindows();
