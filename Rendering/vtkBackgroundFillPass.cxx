@@ -26,7 +26,7 @@ void vtkBackgroundFillPass::Filter(
 {
   vtkMaskFillOptions options;
   options.MaximumIterations = this->MaximumIterations;
-  options.Reach = this->KeepOutlines ? 2 * this->MaximumIterations : 0;
+  options.Reach = this->KeepOutlines ? (this->MaximumIterations + 1) / 2 : 0;
   int passes = 0;
   this->LastFrameIterations =
     this->Internals->Fill.Run(window, options, this->GetRectangle(), image, spare, passes);

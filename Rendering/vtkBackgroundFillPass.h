@@ -24,8 +24,8 @@ public:
   ///@{
   /**
    * Iterations at most, 0 to 1000; each takes a pixel off every side of a hole, and they end when
-   * there is nothing left to fill. Default 3, the most that the paper used: more would close real
-   * gaps.
+   * there is nothing left to fill. The paper used 1 to 3. Default 8, for
+   * points up to two pixels apart and gaps that are wider than four pixels.
    */
   vtkSetClampMacro(MaximumIterations, int, 0, 1000);
   vtkGetMacro(MaximumIterations, int);
@@ -33,9 +33,9 @@ public:
 
   ///@{
   /**
-   * Fill only what has the surface on all sides, within twice MaximumIterations pixels. The paper's
-   * masks alone, which this adds to, fill each stair of an outline too, once an iteration. Default
-   * on.
+   * Fill only what has the surface on all sides, within half of MaximumIterations pixels. The
+   * paper's masks alone, which this adds to, fill each stair of an outline too, once an iteration.
+   * Default on.
    */
   vtkSetMacro(KeepOutlines, bool);
   vtkGetMacro(KeepOutlines, bool);
@@ -56,7 +56,7 @@ protected:
   void Filter(
     vtkOpenGLRenderWindow* window, vtkSurfaceTarget*& image, vtkSurfaceTarget*& spare) override;
 
-  int MaximumIterations = 3;
+  int MaximumIterations = 8;
   bool KeepOutlines = true;
   int LastFrameIterations = 0;
 

@@ -160,13 +160,13 @@ vtkImageSpacePointMapper::Plan vtkImageSpacePointMapper::MakePlan(
   const auto& r = view.Rectangle;
   plan.Rectangle = { r[0], r[1], r[0] + r[2], r[1] + r[3] };
 
-  // No hole of a closed surface is wider than a disc of the largest radius, and each iteration
-  // takes a pixel off either side of it.
-  const double holeRadius = view.TypicalRadius * view.LargestRadius / view.MeanRadius;
-  const int needed = static_cast<int>(std::ceil(std::min(std::max(holeRadius, 1.0), 1000.0)));
+  // Points that are spread at random leave holes three spacings wide, which is one and a half
+  // radii; where they start thin, filling takes twice as many iterations.
+  const double radius = view.TypicalRadius * view.LargestRadius / view.MeanRadius;
+  const int needed = static_cast<int>(std::ceil(std::min(std::max(3.0 * radius, 1.0), 1000.0)));
   const double distance = this->FarPlaneLayerDistance ? 1e-4 * GetFarPlane(view)
     : this->LayerDistance > 0.0                       ? this->LayerDistance
-                                                      : view.MeanRadius;
+                                                      : 4.0 * view.MeanRadius;
   plan.Background.MaximumIterations =
     this->MaximumBackgroundFills < 0 ? needed : this->MaximumBackgroundFills;
   plan.Occluded.Occluded = true;
@@ -176,7 +176,7 @@ vtkImageSpacePointMapper::Plan vtkImageSpacePointMapper::MakePlan(
 
   for (vtkMaskFillOptions* fill : { &plan.Background, &plan.Occluded })
   {
-    fill->Reach = this->KeepOutlines ? 2 * fill->MaximumIterations : 0;
+    fill->Reach = this->KeepOutlines ? (fill->MaximumIterations + 1) / 2 : 0;
   }
 
   plan.SmoothingIterations = this->SmoothLitColors ? 0 : this->SmoothingIterations;

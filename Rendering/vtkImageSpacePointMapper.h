@@ -57,9 +57,9 @@ public:
 
   ///@{
   /**
-   * Fill only what has the surface on all sides, as far away as a hole can be wide. The paper's
-   * masks alone, which this adds to, fill each stair of an outline too, once an iteration. Default
-   * on.
+   * Fill only what has the surface on all sides, no more pixels away than half of the iterations
+   * at most. The paper's masks alone, which this adds to, fill each stair of an outline too, once
+   * an iteration. Default on.
    */
   vtkSetMacro(KeepOutlines, bool);
   vtkGetMacro(KeepOutlines, bool);
@@ -70,7 +70,7 @@ public:
   /**
    * Distance between two layers of surface (section 5), along the view direction in the units of
    * world coordinates: what is farther back than this is hidden, and is not smoothed with what is
-   * in front. 0, the default: the mean radius of the points, which does not depend on the camera.
+   * in front. 0, the default: four times the mean radius of the points, whatever the camera.
    */
   vtkSetClampMacro(LayerDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LayerDistance, double);
@@ -106,8 +106,7 @@ public:
 
   ///@{
   /**
-   * The kernel that smooths; see KernelType. Default Gaussian; the paper prefers
-   * AlleviatedGaussian, which SetToPublished() sets.
+   * The kernel that smooths; see KernelType. Default AlleviatedGaussian, which the paper prefers.
    */
   vtkSetClampMacro(SmoothingKernel, int, Box, AlleviatedGaussian);
   vtkGetMacro(SmoothingKernel, int);
@@ -201,7 +200,7 @@ protected:
   double LayerDistance = 0.0;
   bool FarPlaneLayerDistance = false;
   int SmoothingIterations = 1;
-  int SmoothingKernel = Gaussian;
+  int SmoothingKernel = AlleviatedGaussian;
   bool SmoothAcrossLayers = false;
   bool SmoothLitColors = false;
   bool AntialiasOutline = false;

@@ -8,6 +8,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace
 {
@@ -43,7 +44,7 @@ void CopyDepths(const float* surface, int width, float* depths)
 /// Marks the pixels of a row that are of the kind to fill and have neighbours in front of them to
 /// two opposite sides, as each has that no mask fits.
 VTK_POINT_SURFACE_CLONES
-void FindCandidates(const float* below, const float* row, const float* above, int width,
+void MarkCandidates(const float* below, const float* row, const float* above, int width,
   bool occluded, vtkDepthStep depthStep, unsigned char* candidates)
 {
   VTK_POINT_SURFACE_INDEPENDENT
@@ -74,6 +75,56 @@ void FindCandidates(const float* below, const float* row, const float* above, in
 }
 }
 
+int vtkMaskFillCPU::Run(const vtkMaskFillOptions& options, vtkSurfacePixels& pixels)
+{
+  const auto& r = pixels.Rectangle;
+  const int height = std::max(r[3] - r[1], 0);
+  this->Candidates.resize(height);
+  this->Rows.resize(height);
+  constexpr int Grain = 16;
+  auto forEachRow = [height](const std::function<void(int)>& run)
+  {
+    vtkSMPTools::For(0, height, Grain,
+      [&run](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType row = begin; row < end; ++row)
+        {
+          run(static_cast<int>(row));
+        }
+      });
+  };
+  if (options.MaximumIterations > 0)
+  {
+    forEachRow([&](int row) { this->FindCandidates(options, pixels, row); });
+  }
+  for (int iteration = 0; iteration < options.MaximumIterations; ++iteration)
+  {
+    forEachRow([&](int row) { this->FindFillable(options, pixels, row); });
+    bool changed = false;
+    for (int row = 0; row < height; ++row)
+    {
+      for (const Filled& filled : this->Rows[row])
+      {
+        Write(filled, pixels);
+        this->AddNeighbors(filled, r[2] - r[0], row);
+        changed = true;
+      }
+    }
+    if (!changed)
+    {
+      return iteration;
+    }
+    forEachRow(
+      [&](int row)
+      {
+        std::vector<int>& columns = this->Candidates[row];
+        std::sort(columns.begin(), columns.end());
+        columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+      });
+  }
+  return options.MaximumIterations;
+}
+
 void vtkMaskFillCPU::Write(const Filled& filled, vtkSurfacePixels& pixels)
 {
   std::copy_n(filled.Surface, 4, &pixels.Surface[4 * filled.Pixel]);
@@ -85,54 +136,6 @@ void vtkMaskFillCPU::Write(const Filled& filled, vtkSurfacePixels& pixels)
   {
     std::copy_n(filled.Color, 4, &pixels.Color[4 * filled.Pixel]);
   }
-}
-
-int vtkMaskFillCPU::Run(const vtkMaskFillOptions& options, vtkSurfacePixels& pixels)
-{
-  const auto& r = pixels.Rectangle;
-  const int width = r[2] - r[0];
-  const int height = r[3] - r[1];
-  this->Rows.resize(std::max(height, 0));
-  std::vector<unsigned char> due(this->Rows.size(), 1);
-  int iterations = 0;
-  for (; iterations < options.MaximumIterations; ++iterations)
-  {
-    constexpr int Grain = 16;
-    vtkSMPTools::For(0, height, Grain,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (int row = static_cast<int>(begin); row < end; ++row)
-        {
-          this->Rows[row].clear();
-          if (due[row])
-          {
-            this->FindFillable(options, pixels, row);
-          }
-        }
-      });
-
-    std::fill(due.begin(), due.end(), static_cast<unsigned char>(0));
-    bool changed = false;
-    for (int row = 0; row < height; ++row)
-    {
-      for (const Filled& filled : this->Rows[row])
-      {
-        Write(filled, pixels);
-      }
-      if (!this->Rows[row].empty())
-      {
-        changed = true;
-        const int reach = std::max(options.Reach, 1);
-        std::fill(due.begin() + std::max(row - reach, 0),
-          due.begin() + std::min(row + reach + 1, height), static_cast<unsigned char>(1));
-      }
-    }
-    if (!changed)
-    {
-      break;
-    }
-  }
-  return iterations;
 }
 
 /// Directions, of those in `beyond`, in which there is no surface in front within reach.
@@ -163,7 +166,7 @@ unsigned int vtkMaskFillCPU::FindOpenDirections(const vtkMaskFillOptions& option
   return open;
 }
 
-void vtkMaskFillCPU::FindFillable(
+void vtkMaskFillCPU::FindCandidates(
   const vtkMaskFillOptions& options, const vtkSurfacePixels& pixels, int row)
 {
   const auto& r = pixels.Rectangle;
@@ -178,43 +181,84 @@ void vtkMaskFillCPU::FindFillable(
     CopyDepths(y >= 0 && y < height ? &pixels.Surface[4 * static_cast<size_t>(y) * width] : nullptr,
       width, rows[j]);
   }
-  std::vector<unsigned char> candidates(width);
-  FindCandidates(
-    rows[0], rows[1], rows[2], width, options.Occluded, options.DepthStep, candidates.data());
+  std::vector<unsigned char> marks(width);
+  MarkCandidates(
+    rows[0], rows[1], rows[2], width, options.Occluded, options.DepthStep, marks.data());
+  this->Candidates[row].clear();
   for (int x = 0; x < width; ++x)
   {
-    if (!candidates[x])
+    if (marks[x])
     {
-      continue;
+      this->Candidates[row].push_back(x);
     }
-    const float limit =
-      options.Occluded ? rows[1][x + 1] - options.DepthStep.At(rows[1][x + 1]) : Infinite;
+  }
+}
+
+void vtkMaskFillCPU::AddNeighbors(const Filled& filled, int width, int row)
+{
+  const int column = static_cast<int>(filled.Pixel % width);
+  const int height = static_cast<int>(this->Candidates.size());
+  for (int y = std::max(row - 1, 0); y <= std::min(row + 1, height - 1); ++y)
+  {
+    for (int x = std::max(column - 1, 0); x <= std::min(column + 1, width - 1); ++x)
+    {
+      this->Candidates[y].push_back(x);
+    }
+  }
+}
+
+void vtkMaskFillCPU::FindFillable(
+  const vtkMaskFillOptions& options, const vtkSurfacePixels& pixels, int row)
+{
+  const auto& r = pixels.Rectangle;
+  const int width = r[2] - r[0];
+  const int height = r[3] - r[1];
+  std::vector<Filled>& fillable = this->Rows[row];
+  fillable.clear();
+  auto fill = [&](int x)
+  {
+    const size_t pixel = static_cast<size_t>(row) * width + x;
+    const float own = pixels.Surface[4 * pixel + 3];
+    if (options.Occluded != (own > 0.0f))
+    {
+      return true; // not of the kind: no candidate any longer
+    }
+    const float limit = options.Occluded ? own - options.DepthStep.At(own) : Infinite;
     unsigned int beyond = 0;
     float nearest = Infinite;
     size_t source = 0;
     for (int i = 0; i < 8; ++i)
     {
-      const float depth = rows[1 + Ring[i][1]][x + 1 + Ring[i][0]];
+      const int nx = x + Ring[i][0];
+      const int ny = row + Ring[i][1];
+      const bool inside = nx >= 0 && ny >= 0 && nx < width && ny < height;
+      const size_t neighbor = static_cast<size_t>(ny) * width + nx;
+      const float depth = inside ? pixels.Surface[4 * neighbor + 3] : 0.0f;
       const bool inFront = depth > 0.0f && depth <= limit;
       beyond |= inFront ? 0u : 1u << i;
       if (inFront && depth < nearest)
       {
         nearest = depth;
-        source = static_cast<size_t>(row + Ring[i][1]) * width + x + Ring[i][0];
+        source = neighbor;
       }
     }
-    if (!HasRun(beyond, 5) &&
-      !(options.Reach > 0 && HasRun(FindOpenDirections(options, pixels, x, row, limit, beyond), 3)))
+    if (HasRun(beyond, 5) ||
+      (options.Reach > 0 && HasRun(FindOpenDirections(options, pixels, x, row, limit, beyond), 3)))
     {
-      Filled filled = {};
-      filled.Pixel = static_cast<size_t>(row) * width + x;
-      std::copy_n(&pixels.Surface[4 * source], 4, filled.Surface);
-      filled.Id = pixels.Id.empty() ? 0 : pixels.Id[source];
-      if (!pixels.Color.empty())
-      {
-        std::copy_n(&pixels.Color[4 * source], 4, filled.Color);
-      }
-      this->Rows[row].push_back(filled);
+      return false;
     }
-  }
+    Filled filled = {};
+    filled.Pixel = pixel;
+    std::copy_n(&pixels.Surface[4 * source], 4, filled.Surface);
+    filled.Id = pixels.Id.empty() ? 0 : pixels.Id[source];
+    if (!pixels.Color.empty())
+    {
+      std::copy_n(&pixels.Color[4 * source], 4, filled.Color);
+    }
+    fillable.push_back(filled);
+    return true;
+  };
+  // the others may be filled when more is around them
+  std::vector<int>& columns = this->Candidates[row];
+  columns.erase(std::remove_if(columns.begin(), columns.end(), fill), columns.end());
 }

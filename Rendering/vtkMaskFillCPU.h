@@ -4,8 +4,8 @@
  * @brief   the step that fills holes with the surface around them, by the processor
  *
  * The same as vtkMaskFillOpenGL. The new pixels of each row are put down apart until all of an
- * iteration are known; an iteration looks only at the rows in reach of those that the last one
- * changed.
+ * iteration are known; an iteration looks only at pixels that could not be filled by the last one,
+ * and around those that were.
  */
 #ifndef vtkMaskFillCPU_h
 #define vtkMaskFillCPU_h
@@ -36,8 +36,11 @@ private:
   static void Write(const Filled& filled, vtkSurfacePixels& pixels);
   static unsigned int FindOpenDirections(const vtkMaskFillOptions& options,
     const vtkSurfacePixels& pixels, int column, int row, float limit, unsigned int beyond);
+  void FindCandidates(const vtkMaskFillOptions& options, const vtkSurfacePixels& pixels, int row);
+  void AddNeighbors(const Filled& filled, int width, int row);
   void FindFillable(const vtkMaskFillOptions& options, const vtkSurfacePixels& pixels, int row);
 
+  std::vector<std::vector<int>> Candidates; // columns of each row, sorted
   std::vector<std::vector<Filled>> Rows;
 };
 

@@ -28,7 +28,7 @@ void vtkOccludedFillPass::Filter(
   options.Occluded = true;
   options.DepthStep = this->GetDepthStep(this->LayerDistance);
   options.MaximumIterations = this->MaximumIterations;
-  options.Reach = this->KeepOutlines ? 2 * this->MaximumIterations : 0;
+  options.Reach = this->KeepOutlines ? (this->MaximumIterations + 1) / 2 : 0;
   int passes = 0;
   this->LastFrameIterations =
     this->Internals->Fill.Run(window, options, this->GetRectangle(), image, spare, passes);

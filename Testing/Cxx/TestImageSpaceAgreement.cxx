@@ -77,7 +77,7 @@ struct Scene
   int Width, Height, Points;
   bool Parallel, Colors, Published, Cull;
   int Kernel, SmoothingIterations;
-  int BackgroundFills; ///< at most; -1: as the mapper wants
+  int Fills; ///< of each kind at most; -1: as the mapper wants
 };
 
 struct Stage
@@ -100,7 +100,8 @@ struct Stage
     }
     this->Mapper->SetSmoothingKernel(scene.Kernel);
     this->Mapper->SetSmoothingIterations(scene.SmoothingIterations);
-    this->Mapper->SetMaximumBackgroundFills(scene.BackgroundFills);
+    this->Mapper->SetMaximumBackgroundFills(scene.Fills);
+    this->Mapper->SetMaximumOccludedFills(scene.Fills);
     this->Mapper->RecordPointIdsOn();
     this->Mapper->SetBackend(backend);
     this->Actor->SetMapper(this->Mapper);

@@ -300,11 +300,11 @@ void TestAgainstReference(bool parallel, bool offOrigin)
   view.Render({});
   ImageSpaceReference reference = view.Read();
   view.Render({ fill });
-  const int fills = reference.FillBackground(3, 6);
+  const int fills = reference.FillBackground(8, 4);
   check(fills > 0 && fill->GetLastFrameIterations() == fills, name + "as many background fills");
   Compare(view, reference, name + "background fill");
 
-  const int hidden = reference.FillOccluded(3, 0.1, 6);
+  const int hidden = reference.FillOccluded(8, 0.1, 4);
   view.Render({ fill, occluded });
   check(hidden > 0 && occluded->GetLastFrameIterations() == hidden, name + "as many hidden fills");
   Compare(view, reference, name + "occluded fill");

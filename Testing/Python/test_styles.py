@@ -7,6 +7,7 @@ import sys
 
 import numpy as np
 import pytest
+import vtkmodules.vtkRenderingFreeType  # noqa: F401  draws text
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkTextActor
 
