@@ -39,6 +39,7 @@ def main():
     actor = vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().SetColor(0.93, 0.87, 0.75)
+    actor.GetProperty().BackfaceCullingOn()  # normals point outward
     renderer = vtkRenderer()
     renderer.SetBackground(1, 1, 1)
     renderer.AddActor(actor)
