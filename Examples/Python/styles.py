@@ -1,63 +1,47 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws a dense cloud in the styles of image-space illustration: plain, silhouettes, feature lines, both.
+"""A dense cloud in the styles of image-space illustration, side by side: plain, silhouettes, feature lines, both.
 
-    python3 Examples/Python/styles.py FILE [--isovalue V] [--size WxH] [--output DIR]
-
-writes plain.png, silhouettes.png, feature-lines.png and both.png. FILE holds points, or a volume whose isosurface is
-drawn. PYTHONPATH must lead to the package pointsurface.
+styles.py [PICTURE [FILE [ISOVALUE]]]: FILE holds points with outward normals, or a volume whose isosurface is drawn;
+without it, it is the gyroid of a made-up volume.
 """
 
-import argparse
-import os
+import sys
 
+import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
 from pointsurface import rendering, styles, vtkImageSpacePointMapper, vtkIsosurfacePoints
 from pointsurface.readers import read
+from pointsurface.volumes import gyroid_ball
 
+data = read(sys.argv[2]) if len(sys.argv) > 2 else gyroid_ball()
+mapper = vtkImageSpacePointMapper()
+mapper.ScalarVisibilityOff()
+if isinstance(data, vtkImageData):
+    isosurface = vtkIsosurfacePoints()
+    isosurface.SetInputData(data)
+    isosurface.SetValue(0, float(sys.argv[3]) if len(sys.argv) > 3 else 0)
+    mapper.SetInputConnection(isosurface.GetOutputPort())
+else:
+    mapper.SetInputData(data)
+actor = vtkActor()
+actor.SetMapper(mapper)
+actor.GetProperty().SetColor(0.93, 0.87, 0.75)
+actor.GetProperty().BackfaceCullingOn()  # normals point outward
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("file")
-    parser.add_argument("--isovalue", type=float, default=0.5, help="of a volume; default: %(default)s")
-    parser.add_argument("--size", default="600x600", metavar="WxH")
-    parser.add_argument("--output", default=".", metavar="DIR")
-    arguments = parser.parse_args()
+renderer = vtkRenderer()
+renderer.SetBackground(1, 1, 1)
+renderer.AddActor(actor)
+window = rendering.offscreen_window(renderer, (300, 300))
+if isinstance(data, vtkImageData):  # of a head: from the front
+    renderer.GetActiveCamera().SetPosition(0, 1, 0)
+    renderer.GetActiveCamera().SetViewUp(0, 0, 1)
+renderer.ResetCamera()
+renderer.GetActiveCamera().Zoom(1.4)
 
-    data = read(arguments.file)
-    mapper = vtkImageSpacePointMapper()
-    mapper.ScalarVisibilityOff()
-    if isinstance(data, vtkImageData):
-        isosurface = vtkIsosurfacePoints()
-        isosurface.SetInputData(data)
-        isosurface.SetValue(0, arguments.isovalue)
-        mapper.SetInputConnection(isosurface.GetOutputPort())
-    else:
-        mapper.SetInputData(data)
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(0.93, 0.87, 0.75)
-    actor.GetProperty().BackfaceCullingOn()  # normals point outward
-    renderer = vtkRenderer()
-    renderer.SetBackground(1, 1, 1)
-    renderer.AddActor(actor)
-    window = rendering.offscreen_window(renderer, tuple(map(int, arguments.size.split("x"))))
-    camera = renderer.GetActiveCamera()
-    if isinstance(data, vtkImageData):  # of a head: from the front
-        camera.SetPosition(0, 1, 0)
-        camera.SetViewUp(0, 0, 1)
-    renderer.ResetCamera()
-    camera.Zoom(1.4)
-
-    os.makedirs(arguments.output, exist_ok=True)
-    for style in styles.STYLES:
-        styles.apply(renderer, style)
-        path = os.path.join(arguments.output, style.replace(" ", "-") + ".png")
-        rendering.write_png(path, rendering.read_color(window))
-        print(path)
-
-
-if __name__ == "__main__":
-    main()
+pictures = []
+for style in styles.STYLES:
+    styles.apply(renderer, style)
+    pictures.append(rendering.read_color(window))
+rendering.write_png(sys.argv[1] if len(sys.argv) > 1 else "styles.png", np.concatenate(pictures, axis=1))

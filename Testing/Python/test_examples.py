@@ -32,6 +32,10 @@ EXPECTED = {
         "points": (p[..., 0] > p[..., 2] + 0.2, 0.1),
         "volume": (p[..., 2] > p[..., 0] + 0.05, 0.05),
     },
+    "styles.py": lambda p: {
+        "surface": (near(p, (0.7, 0.65, 0.56), 0.3), 0.1),
+        "lines of the last style": (near(p[:, -300:], 0, 0.1), 0.02),
+    },
     "time_series.py": lambda p: {"surface": (near(p, 0.7, 0.3), 0.1)},
 }
 
