@@ -15,7 +15,7 @@ from pointsurface import rendering, styles, vtkImageSpacePointMapper, vtkIsosurf
 from pointsurface.readers import read
 from pointsurface.volumes import gyroid_ball
 
-data = read(sys.argv[2]) if len(sys.argv) > 2 else gyroid_ball()
+data = read(sys.argv[2]) if len(sys.argv) > 2 else gyroid_ball(200)
 mapper = vtkImageSpacePointMapper()
 mapper.ScalarVisibilityOff()
 if isinstance(data, vtkImageData):
