@@ -81,6 +81,7 @@ int vtkMaskFillCPU::Run(const vtkMaskFillOptions& options, vtkSurfacePixels& pix
   const int height = std::max(r[3] - r[1], 0);
   this->Candidates.resize(height);
   this->Rows.resize(height);
+  this->Listed.resize(static_cast<size_t>(height) * std::max(r[2] - r[0], 0));
   constexpr int Grain = 16;
   auto forEachRow = [height](const std::function<void(int)>& run)
   {
@@ -114,13 +115,6 @@ int vtkMaskFillCPU::Run(const vtkMaskFillOptions& options, vtkSurfacePixels& pix
     {
       return iteration;
     }
-    forEachRow(
-      [&](int row)
-      {
-        std::vector<int>& columns = this->Candidates[row];
-        std::sort(columns.begin(), columns.end());
-        columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
-      });
   }
   return options.MaximumIterations;
 }
@@ -181,9 +175,8 @@ void vtkMaskFillCPU::FindCandidates(
     CopyDepths(y >= 0 && y < height ? &pixels.Surface[4 * static_cast<size_t>(y) * width] : nullptr,
       width, rows[j]);
   }
-  std::vector<unsigned char> marks(width);
-  MarkCandidates(
-    rows[0], rows[1], rows[2], width, options.Occluded, options.DepthStep, marks.data());
+  unsigned char* marks = &this->Listed[static_cast<size_t>(row) * width];
+  MarkCandidates(rows[0], rows[1], rows[2], width, options.Occluded, options.DepthStep, marks);
   this->Candidates[row].clear();
   for (int x = 0; x < width; ++x)
   {
@@ -202,7 +195,12 @@ void vtkMaskFillCPU::AddNeighbors(const Filled& filled, int width, int row)
   {
     for (int x = std::max(column - 1, 0); x <= std::min(column + 1, width - 1); ++x)
     {
-      this->Candidates[y].push_back(x);
+      unsigned char& listed = this->Listed[static_cast<size_t>(y) * width + x];
+      if (!listed)
+      {
+        listed = 1;
+        this->Candidates[y].push_back(x);
+      }
     }
   }
 }
@@ -221,6 +219,7 @@ void vtkMaskFillCPU::FindFillable(
     const float own = pixels.Surface[4 * pixel + 3];
     if (options.Occluded != (own > 0.0f))
     {
+      this->Listed[pixel] = 0;
       return true; // not of the kind: no candidate any longer
     }
     const float limit = options.Occluded ? own - options.DepthStep.At(own) : Infinite;
@@ -256,6 +255,7 @@ void vtkMaskFillCPU::FindFillable(
       std::copy_n(&pixels.Color[4 * source], 4, filled.Color);
     }
     fillable.push_back(filled);
+    this->Listed[pixel] = 0;
     return true;
   };
   // the others may be filled when more is around them

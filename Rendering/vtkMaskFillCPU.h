@@ -40,7 +40,8 @@ private:
   void AddNeighbors(const Filled& filled, int width, int row);
   void FindFillable(const vtkMaskFillOptions& options, const vtkSurfacePixels& pixels, int row);
 
-  std::vector<std::vector<int>> Candidates; // columns of each row, sorted
+  std::vector<std::vector<int>> Candidates; // columns of each row
+  std::vector<unsigned char> Listed;        // of each pixel: whether it is among them
   std::vector<std::vector<Filled>> Rows;
 };
 
