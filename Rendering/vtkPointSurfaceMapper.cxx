@@ -919,8 +919,6 @@ void vtkPointSurfaceMapper::SetMapperShaderParameters(
   const int origin[2] = { this->Internals->ViewportOrigin[0] - view.Rim,
     this->Internals->ViewportOrigin[1] - view.Rim };
   program->SetUniform2i("psOrigin", origin);
-  program->SetUniformi("psHasCoverage", view.Supersampling > 1);
-  program->SetUniform2i("psOrigin", this->Internals->ViewportOrigin);
   program->SetUniformi("psHasCoverage", view.Supersampling > 1 || this->MakesCoverage());
   const auto pixels = view.GetPixelRectangle();
   const int end[2] = { pixels[0] + pixels[2], pixels[1] + pixels[3] };

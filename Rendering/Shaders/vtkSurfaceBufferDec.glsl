@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The surface buffer and what VTK's fragment template reads from it; see vtkSurfaceBufferImpl.glsl.
 uniform ivec2 psOrigin;    // of the surface buffer, which has a rim around the viewport, in the framebuffer
-uniform ivec2 psOrigin;    // of the viewport in the framebuffer
 ivec2 psOffset = ivec2(0);  // from this fragment to the pixel that is shaded
 uniform ivec2 psBegin;     // pixels outside of [begin, end) are not to be read
 uniform ivec2 psEnd;
