@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # The project as a user gets it: installed into a folder of its own, used from C++ by the project in Testing/Consumer,
 # and imported by Python.
 set(install_prefix "${CMAKE_BINARY_DIR}/Testing/Install")

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # The project on its own: finds VTK, builds the module, wraps it for Python, adds tests and install rules.
 include(CTest)
 include(GNUInstallDirs)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # The wheel (pip install .): the module against Kitware's vtk-sdk, laid out beside the package's Python sources, which
 # scikit-build-core adds. vtk-sdk-python-wheel-helper is not of use here: it looks for vtk.module, which is for VTK's
 # Remote/ folder and has VTK's namespace. What follows is what it does for a package that runs and is not built against.
