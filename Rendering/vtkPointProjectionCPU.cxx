@@ -292,10 +292,11 @@ vtkPointProjectionCPU::Transform vtkPointProjectionCPU::GetTransform(
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkPointProjectionCPU::Draw(const vtkPointSurfaceView& view,
+void vtkPointProjectionCPU::Draw(const std::vector<Cloud>& clouds,
   const vtkPointProjectionOptions& options, vtkSurfaceImage& image, vtkSurfaceImage* nearest)
 {
-  const size_t size = static_cast<size_t>(view.Rectangle[2]) * view.Rectangle[3];
+  const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
+  const size_t size = static_cast<size_t>(r[2] - r[0]) * (r[3] - r[1]);
   if (this->NearestSize < size)
   {
     this->Nearest.reset(new std::atomic<std::uint64_t>[size]);
@@ -309,44 +310,69 @@ vtkIdType vtkPointProjectionCPU::Draw(const vtkPointSurfaceView& view,
         }
       });
   }
-  const Transform transform = this->GetTransform(view);
-  const vtkIdType drawn = this->MakeBlocks(view.Ranges);
   if (nearest)
   {
     this->SetLimits(*nearest, options.DepthTolerance);
-    this->FindFarthestPoints(transform);
   }
-  else
+  const std::vector<Part> parts = MakeParts(clouds);
+  for (const Part& part : parts)
   {
-    this->FindVisiblePoints(transform);
+    nearest ? this->FindFarthestPoints(part) : this->FindVisiblePoints(part);
   }
   if (options.AveragePoints)
   {
-    this->FindCompanions(transform);
+    this->FindCompanions(parts);
   }
-  this->FetchVisiblePoints(transform, options, image);
-  return drawn;
-}
-
-vtkIdType vtkPointProjectionCPU::MakeBlocks(const std::vector<std::array<vtkIdType, 2>>& ranges)
-{
-  this->Blocks.clear();
-  vtkIdType points = 0;
-  for (const auto& range : ranges)
-  {
-    for (vtkIdType first = range[0]; first < range[1]; first += BlockSize)
-    {
-      this->Blocks.push_back({ first, std::min<vtkIdType>(first + BlockSize, range[1]) });
-    }
-    points += range[1] - range[0];
-  }
-  return points;
+  this->FetchVisiblePoints(parts, options, image);
 }
 
 //------------------------------------------------------------------------------
-int vtkPointProjectionCPU::GetNumberOfChunks() const
+struct vtkPointProjectionCPU::Part
 {
-  return static_cast<int>((this->Blocks.size() + ChunkBlocks - 1) / ChunkBlocks);
+  const Cloud* Source;
+  Transform View;
+  std::vector<std::array<vtkIdType, 2>>
+    Blocks;       // first and end of runs of points, of one range each
+  int FirstChunk; // of blocks, among those of all parts
+
+  int GetNumberOfChunks() const
+  {
+    return static_cast<int>((this->Blocks.size() + ChunkBlocks - 1) / ChunkBlocks);
+  }
+
+  /// Where the arrays of the cloud have a point of the image.
+  size_t GetOwnId(unsigned int id) const { return id - static_cast<size_t>(this->Source->FirstId); }
+};
+
+std::vector<vtkPointProjectionCPU::Part> vtkPointProjectionCPU::MakeParts(
+  const std::vector<Cloud>& clouds)
+{
+  std::vector<Part> parts;
+  for (const Cloud& cloud : clouds)
+  {
+    const int firstChunk =
+      parts.empty() ? 0 : parts.back().FirstChunk + parts.back().GetNumberOfChunks();
+    parts.push_back({ &cloud, cloud.Projection->GetTransform(cloud.View), {}, firstChunk });
+    for (const auto& range : cloud.View.Ranges)
+    {
+      for (vtkIdType first = range[0]; first < range[1]; first += BlockSize)
+      {
+        parts.back().Blocks.push_back({ first, std::min<vtkIdType>(first + BlockSize, range[1]) });
+      }
+    }
+  }
+  return parts;
+}
+
+const vtkPointProjectionCPU::Part& vtkPointProjectionCPU::GetPart(
+  const std::vector<Part>& parts, unsigned int id)
+{
+  size_t i = parts.size() - 1;
+  while (id < parts[i].Source->FirstId)
+  {
+    --i;
+  }
+  return parts[i];
 }
 
 int vtkPointProjectionCPU::GetNumberOfBands(const Transform& transform)
@@ -362,11 +388,13 @@ float vtkPointProjectionCPU::GetRadius(size_t id) const
 /// Calls take(chunk, pixel, depth, id) for the points that fall into the rectangle; those of a
 /// chunk in their order and from one thread.
 template <typename Take>
-void vtkPointProjectionCPU::ForSeenPoints(const Transform& transform, const Take& take) const
+void vtkPointProjectionCPU::ForSeenPoints(const Part& part, const Take& take)
 {
-  const std::vector<unsigned int>& listed = this->Points->GetDrawnIds();
+  const vtkPointProjectionCPU& cloud = *part.Source->Projection;
+  const auto firstId = static_cast<unsigned int>(part.Source->FirstId);
+  const std::vector<unsigned int>& listed = cloud.Points->GetDrawnIds();
   const unsigned int* ids = listed.empty() ? nullptr : listed.data();
-  const bool culls = transform.Cull != vtkPointSurfaceView::NoCulling;
+  const bool culls = part.View.Cull != vtkPointSurfaceView::NoCulling;
   auto drawChunk = [&](vtkIdType chunk)
   {
     const double zero[3] = { 0.0, 0.0, 0.0 };
@@ -375,19 +403,19 @@ void vtkPointProjectionCPU::ForSeenPoints(const Transform& transform, const Take
     int pixels[BlockSize];
     int list[BlockSize];
     float depths[BlockSize];
-    const size_t end = std::min(this->Blocks.size(), static_cast<size_t>(chunk + 1) * ChunkBlocks);
+    const size_t end = std::min(part.Blocks.size(), static_cast<size_t>(chunk + 1) * ChunkBlocks);
     for (size_t block = static_cast<size_t>(chunk) * ChunkBlocks; block < end; ++block)
     {
-      const vtkIdType first = this->Blocks[block][0];
-      const int size = static_cast<int>(this->Blocks[block][1] - first);
-      this->FloatPositions
-        ? Load(positions, first, size, this->FloatPositions, ids, this->Origin.data())
-        : Load(positions, first, size, this->DoublePositions, ids, this->Origin.data());
+      const vtkIdType first = part.Blocks[block][0];
+      const int size = static_cast<int>(part.Blocks[block][1] - first);
+      cloud.FloatPositions
+        ? Load(positions, first, size, cloud.FloatPositions, ids, cloud.Origin.data())
+        : Load(positions, first, size, cloud.DoublePositions, ids, cloud.Origin.data());
       if (culls)
       {
-        Load(normals, first, size, this->Normals, ids, zero);
+        Load(normals, first, size, cloud.Normals, ids, zero);
       }
-      ProjectBlock(positions, normals, size, transform, pixels, depths);
+      ProjectBlock(positions, normals, size, part.View, pixels, depths);
       // without a branch that half of the points would take
       int seen = 0;
       for (int i = 0; i < size; ++i)
@@ -399,11 +427,11 @@ void vtkPointProjectionCPU::ForSeenPoints(const Transform& transform, const Take
       {
         const int i = list[k];
         const auto id = static_cast<unsigned int>(ids ? ids[first + i] : first + i);
-        take(static_cast<int>(chunk), pixels[i], depths[i], id);
+        take(part.FirstChunk + static_cast<int>(chunk), pixels[i], depths[i], id + firstId);
       }
     }
   };
-  vtkSMPTools::For(0, this->GetNumberOfChunks(), 1,
+  vtkSMPTools::For(0, part.GetNumberOfChunks(), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType chunk = begin; chunk < end; ++chunk)
@@ -439,17 +467,17 @@ void KeepLeast(std::atomic<std::uint64_t>& least, std::uint64_t key)
 }
 }
 
-void vtkPointProjectionCPU::FindVisiblePoints(const Transform& transform)
+void vtkPointProjectionCPU::FindVisiblePoints(const Part& part)
 {
-  this->ForSeenPoints(transform,
+  ForSeenPoints(part,
     [this](int, int pixel, float depth, unsigned int id)
     { KeepLeast(this->Nearest[pixel], MakeKey(depth, id)); });
 }
 
 /// The same for the farthest points that are within the limits.
-void vtkPointProjectionCPU::FindFarthestPoints(const Transform& transform)
+void vtkPointProjectionCPU::FindFarthestPoints(const Part& part)
 {
-  this->ForSeenPoints(transform,
+  ForSeenPoints(part,
     [this](int, int pixel, float depth, unsigned int id)
     {
       if (depth <= this->Limits[pixel])
@@ -461,27 +489,33 @@ void vtkPointProjectionCPU::FindFarthestPoints(const Transform& transform)
 
 /// Lists what is to be averaged with the nearest points. Sorted by chunk of points and band of
 /// rows, it is written by one thread a chunk and read by one a band, and always in one order.
-void vtkPointProjectionCPU::FindCompanions(const Transform& transform)
+void vtkPointProjectionCPU::FindCompanions(const std::vector<Part>& parts)
 {
-  const int bands = GetNumberOfBands(transform);
-  const unsigned int bandSize = static_cast<unsigned int>(BandRows * transform.Rectangle[2]);
-  this->Companions.resize(static_cast<size_t>(this->GetNumberOfChunks()) * bands);
+  const Transform& view = parts.front().View;
+  const int bands = GetNumberOfBands(view);
+  const unsigned int bandSize = static_cast<unsigned int>(BandRows * view.Rectangle[2]);
+  const int chunks = parts.back().FirstChunk + parts.back().GetNumberOfChunks();
+  this->Companions.resize(static_cast<size_t>(chunks) * bands);
   for (std::vector<Companion>& companions : this->Companions)
   {
     companions.clear();
   }
-  this->ForSeenPoints(transform,
-    [&](int chunk, int pixel, float depth, unsigned int id)
-    {
-      const std::uint64_t nearest = this->Nearest[pixel].load(std::memory_order_relaxed);
-      const float reach = transform.RadiusScale * this->GetRadius(id);
-      if (GetId(nearest) != id && depth <= GetDepth(nearest) + reach)
+  for (const Part& part : parts)
+  {
+    ForSeenPoints(part,
+      [&](int chunk, int pixel, float depth, unsigned int id)
       {
-        const auto place = static_cast<unsigned int>(pixel);
-        this->Companions[static_cast<size_t>(chunk) * bands + place / bandSize].push_back(
-          { place, id });
-      }
-    });
+        const std::uint64_t nearest = this->Nearest[pixel].load(std::memory_order_relaxed);
+        const float reach =
+          part.View.RadiusScale * part.Source->Projection->GetRadius(part.GetOwnId(id));
+        if (GetId(nearest) != id && depth <= GetDepth(nearest) + reach)
+        {
+          const auto place = static_cast<unsigned int>(pixel);
+          this->Companions[static_cast<size_t>(chunk) * bands + place / bandSize].push_back(
+            { place, id });
+        }
+      });
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -495,10 +529,10 @@ struct vtkPointProjectionCPU::Footprint
 };
 
 void vtkPointProjectionCPU::FetchVisiblePoints(
-  const Transform& transform, const vtkPointProjectionOptions& options, vtkSurfaceImage& image)
+  const std::vector<Part>& parts, const vtkPointProjectionOptions& options, vtkSurfaceImage& image)
 {
   const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
-  vtkSMPTools::For(0, GetNumberOfBands(transform), 1,
+  vtkSMPTools::For(0, GetNumberOfBands(parts.front().View), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (int band = static_cast<int>(begin); band < end; ++band)
@@ -506,17 +540,17 @@ void vtkPointProjectionCPU::FetchVisiblePoints(
         const int first = r[1] + band * BandRows;
         for (int y = first; y < std::min(first + BandRows, r[3]); ++y)
         {
-          this->FetchRow(transform, options, y, image);
+          this->FetchRow(parts, options, y, image);
         }
         if (options.AveragePoints)
         {
-          this->AverageBand(transform, options, band, image);
+          this->AverageBand(parts, options, band, image);
         }
       }
     });
 }
 
-void vtkPointProjectionCPU::FetchRow(const Transform& transform,
+void vtkPointProjectionCPU::FetchRow(const std::vector<Part>& parts,
   const vtkPointProjectionOptions& options, int y, vtkSurfaceImage& image)
 {
   const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
@@ -537,11 +571,12 @@ void vtkPointProjectionCPU::FetchRow(const Transform& transform,
   {
     if (i + FetchAhead < visible.size())
     {
-      this->Prefetch(visible[i + FetchAhead].second);
+      const unsigned int ahead = visible[i + FetchAhead].second;
+      Prefetch(GetPart(parts, ahead), ahead);
     }
     const int x = visible[i].first;
     const unsigned int id = visible[i].second;
-    const Footprint point = this->GetFootprint(transform, options, id, x, y);
+    const Footprint point = GetFootprint(GetPart(parts, id), options, id, x, y);
     image.GetOccupied(y)[x / vtkSurfaceImage::BlockSize] = 1;
     float* pixel = image.GetRow(y, 0) + x;
     const size_t plane = image.GetPlaneStride();
@@ -567,7 +602,7 @@ void vtkPointProjectionCPU::FetchRow(const Transform& transform,
 }
 
 /// Averages the pixels of a band, which hold their nearest points, with the companions of these.
-void vtkPointProjectionCPU::AverageBand(const Transform& transform,
+void vtkPointProjectionCPU::AverageBand(const std::vector<Part>& parts,
   const vtkPointProjectionOptions& options, int band, vtkSurfaceImage& image) const
 {
   struct Sum
@@ -579,12 +614,12 @@ void vtkPointProjectionCPU::AverageBand(const Transform& transform,
   };
   std::vector<Sum> sums;
   const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
-  const unsigned int width = static_cast<unsigned int>(transform.Rectangle[2]);
+  const unsigned int width = static_cast<unsigned int>(r[2] - r[0]);
   const unsigned int firstPixel = static_cast<unsigned int>(band) * BandRows * width;
   std::vector<int> places(static_cast<size_t>(BandRows) * width, -1); // in sums
   const size_t plane = image.GetPlaneStride();
   const int planes = image.GetNumberOfPlanes();
-  const size_t bands = GetNumberOfBands(transform);
+  const size_t bands = GetNumberOfBands(parts.front().View);
   for (size_t list = band; list < this->Companions.size(); list += bands)
   {
     const std::vector<Companion>& companions = this->Companions[list];
@@ -592,7 +627,8 @@ void vtkPointProjectionCPU::AverageBand(const Transform& transform,
     {
       if (i + FetchAhead < companions.size())
       {
-        this->Prefetch(companions[i + FetchAhead].Id);
+        const unsigned int ahead = companions[i + FetchAhead].Id;
+        Prefetch(GetPart(parts, ahead), ahead);
       }
       const unsigned int place = companions[i].Pixel;
       const int x = r[0] + static_cast<int>(place % width);
@@ -614,11 +650,12 @@ void vtkPointProjectionCPU::AverageBand(const Transform& transform,
         std::copy_n(sum.Values, 3, sum.FrontNormal);
       }
       Sum& sum = sums[index];
-      const Footprint point = this->GetFootprint(transform, options, companions[i].Id, x, y);
+      const Part& part = GetPart(parts, companions[i].Id);
+      const Footprint point = GetFootprint(part, options, companions[i].Id, x, y);
       const float* n = point.Normal;
       const float alike =
         n[0] * sum.FrontNormal[0] + n[1] * sum.FrontNormal[1] + n[2] * sum.FrontNormal[2];
-      const bool turned = transform.Cull == vtkPointSurfaceView::NoCulling && alike < 0.0f;
+      const bool turned = part.View.Cull == vtkPointSurfaceView::NoCulling && alike < 0.0f;
       for (int k = 0; k < 3; ++k)
       {
         sum.Values[k] += turned ? -n[k] : n[k];
@@ -663,28 +700,33 @@ void vtkPointProjectionCPU::AverageBand(const Transform& transform,
   }
 }
 
-void vtkPointProjectionCPU::Prefetch(size_t id) const
+void vtkPointProjectionCPU::Prefetch(const Part& part, unsigned int jointId)
 {
-  if (this->Normals)
+  const vtkPointProjectionCPU& cloud = *part.Source->Projection;
+  const size_t id = part.GetOwnId(jointId);
+  if (cloud.Normals)
   {
-    VTK_POINT_SURFACE_PREFETCH(this->Normals + 3 * id);
+    VTK_POINT_SURFACE_PREFETCH(cloud.Normals + 3 * id);
   }
-  VTK_POINT_SURFACE_PREFETCH(this->FloatPositions
-      ? static_cast<const void*>(this->FloatPositions + 3 * id)
-      : this->DoublePositions + 3 * id);
-  if (this->Radii)
+  VTK_POINT_SURFACE_PREFETCH(cloud.FloatPositions
+      ? static_cast<const void*>(cloud.FloatPositions + 3 * id)
+      : cloud.DoublePositions + 3 * id);
+  if (cloud.Radii)
   {
-    VTK_POINT_SURFACE_PREFETCH(this->Radii + id);
+    VTK_POINT_SURFACE_PREFETCH(cloud.Radii + id);
   }
 }
 
 vtkPointProjectionCPU::Footprint vtkPointProjectionCPU::GetFootprint(
-  const Transform& t, const vtkPointProjectionOptions& options, unsigned int id, int x, int y) const
+  const Part& part, const vtkPointProjectionOptions& options, unsigned int jointId, int x, int y)
 {
+  const vtkPointProjectionCPU& cloud = *part.Source->Projection;
+  const Transform& t = part.View;
+  const size_t id = part.GetOwnId(jointId);
   Footprint point;
   const float none[3] = { 0.0f, 0.0f, 0.0f };
-  const float* n = this->Normals ? this->Normals + 3 * static_cast<size_t>(id) : none;
-  const std::array<float, 3> p = this->GetPosition(id);
+  const float* n = cloud.Normals ? cloud.Normals + 3 * id : none;
+  const std::array<float, 3> p = cloud.GetPosition(id);
   float eye[3];
   float normal[3];
   for (int k = 0; k < 3; ++k)
@@ -713,11 +755,8 @@ vtkPointProjectionCPU::Footprint vtkPointProjectionCPU::GetFootprint(
     point.Normal[k] = normal[k] / length;
   }
   point.Depth = -eye[2];
-  point.Radius = t.RadiusScale * this->GetRadius(id);
-  if (this->Colors)
-  {
-    point.Color = this->GetColor(id);
-  }
+  point.Radius = t.RadiusScale * cloud.GetRadius(id);
+  point.Color = cloud.Colors ? cloud.GetColor(id) : part.Source->Color;
   return point;
 }
 

@@ -12,6 +12,7 @@
 #ifndef vtkPointProjectionCPU_h
 #define vtkPointProjectionCPU_h
 
+#include "vtkPointSurfaceView.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -26,7 +27,6 @@ class vtkDataArray;
 class vtkDrawablePoints;
 class vtkSurfaceImage;
 struct vtkPointProjectionOptions;
-struct vtkPointSurfaceView;
 
 class vtkPointProjectionCPU
 {
@@ -52,13 +52,24 @@ public:
   std::array<float, 4> GetColor(size_t id) const;
 
   /**
-   * Draws the points of the view's ranges into `image`, which is allocated for the view, with the
-   * layer Color if there are colours. `view` is one whose MCVC is of the points' own coordinates.
-   * With `nearest`, the result of such a run with centre depths, a pixel gets the farthest point
-   * within the options' depth tolerance behind its nearest one. Returns the number of points gone
-   * through.
+   * A cloud to draw: its projection, and a view whose MCVC is of the points' own coordinates; what
+   * the ids of its points begin with; its colour where the layer Color is wanted and it has none.
    */
-  vtkIdType Draw(const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
+  struct Cloud
+  {
+    const vtkPointProjectionCPU* Projection = nullptr;
+    vtkPointSurfaceView View;
+    vtkIdType FirstId = 0;
+    std::array<float, 4> Color{ 1.0f, 1.0f, 1.0f, 1.0f };
+  };
+
+  /**
+   * Draws the points of the views' ranges of clouds, in the order of their ids, into `image`, which
+   * is allocated for a rectangle that all views have. With `nearest`, the result of such a run with
+   * centre depths, a pixel gets the farthest point within the options' depth tolerance behind its
+   * nearest one.
+   */
+  void Draw(const std::vector<Cloud>& clouds, const vtkPointProjectionOptions& options,
     vtkSurfaceImage& image, vtkSurfaceImage* nearest = nullptr);
 
   struct Transform; ///< the view in single precision, for the points about the origin
@@ -69,6 +80,8 @@ private:
 
   /// What a point leaves in its pixel.
   struct Footprint;
+  /// A cloud that is drawn, as ForSeenPoints() goes through it.
+  struct Part;
   /// A point that shares a pixel of the rectangle with a nearer one.
   struct Companion
   {
@@ -76,25 +89,25 @@ private:
   };
 
   Transform GetTransform(const vtkPointSurfaceView& view) const;
-  vtkIdType MakeBlocks(const std::vector<std::array<vtkIdType, 2>>& ranges);
+  static std::vector<Part> MakeParts(const std::vector<Cloud>& clouds);
+  static const Part& GetPart(const std::vector<Part>& parts, unsigned int id);
   template <typename Take>
-  void ForSeenPoints(const Transform& transform, const Take& take) const;
+  static void ForSeenPoints(const Part& part, const Take& take);
   void SetLimits(vtkSurfaceImage& nearest, float tolerance);
-  void FindVisiblePoints(const Transform& transform);
-  void FindFarthestPoints(const Transform& transform);
-  void FindCompanions(const Transform& transform);
-  void FetchVisiblePoints(
-    const Transform& transform, const vtkPointProjectionOptions& options, vtkSurfaceImage& image);
-  void FetchRow(const Transform& transform, const vtkPointProjectionOptions& options, int y,
+  void FindVisiblePoints(const Part& part);
+  void FindFarthestPoints(const Part& part);
+  void FindCompanions(const std::vector<Part>& parts);
+  void FetchVisiblePoints(const std::vector<Part>& parts, const vtkPointProjectionOptions& options,
     vtkSurfaceImage& image);
-  void AverageBand(const Transform& transform, const vtkPointProjectionOptions& options, int band,
-    vtkSurfaceImage& image) const;
-  Footprint GetFootprint(const Transform& transform, const vtkPointProjectionOptions& options,
-    unsigned int id, int x, int y) const;
-  int GetNumberOfChunks() const;
+  void FetchRow(const std::vector<Part>& parts, const vtkPointProjectionOptions& options, int y,
+    vtkSurfaceImage& image);
+  void AverageBand(const std::vector<Part>& parts, const vtkPointProjectionOptions& options,
+    int band, vtkSurfaceImage& image) const;
+  static Footprint GetFootprint(
+    const Part& part, const vtkPointProjectionOptions& options, unsigned int id, int x, int y);
   static int GetNumberOfBands(const Transform& transform);
   float GetRadius(size_t id) const;
-  void Prefetch(size_t id) const;
+  static void Prefetch(const Part& part, unsigned int id);
   std::array<float, 3> GetPosition(size_t id) const; // about the origin
 
   const vtkDrawablePoints* Points = nullptr;
@@ -115,8 +128,6 @@ private:
   std::unique_ptr<std::atomic<std::uint64_t>[]> Nearest;
   size_t NearestSize = 0;
   std::vector<float> Limits; // of each pixel, the largest depth where the farthest are looked for
-  // What is drawn: first and end of runs of points, of one range each.
-  std::vector<std::array<vtkIdType, 2>> Blocks;
   // For each chunk of points and band of rows, in the order of the points; see FindCompanions().
   std::vector<std::vector<Companion>> Companions;
 };

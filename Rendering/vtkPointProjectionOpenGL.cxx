@@ -79,26 +79,26 @@ void vtkPointProjectionOpenGL::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkPointProjectionOpenGL::Draw(vtkOpenGLRenderWindow* window, const Points& points,
-  const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
-  vtkSurfaceTarget& target, vtkSurfaceTarget* nearest)
+void vtkPointProjectionOpenGL::Draw(vtkOpenGLRenderWindow* window, const std::vector<Cloud>& clouds,
+  const vtkPointProjectionOptions& options, vtkSurfaceTarget& target, vtkSurfaceTarget* nearest)
 {
+  const std::array<int, 4>& r = clouds.front().View.Rectangle;
   vtkOpenGLState* state = window->GetState();
   state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(view.Rectangle[0], view.Rectangle[1], view.Rectangle[2], view.Rectangle[3]);
+  state->vtkglScissor(r[0], r[1], r[2], r[3]);
   if (!options.AveragePoints)
   {
-    return this->DrawFirst(window, points, view, options, target, nearest);
+    this->DrawFirst(window, clouds, options, target, nearest);
+    return;
   }
   this->Nearest.Allocate(window, target.GetWidth(), target.GetHeight(), target.GetLayers(), true);
-  const vtkIdType drawn = this->DrawFirst(window, points, view, options, this->Nearest, nearest);
-  this->DrawSums(window, points, view, options);
-  this->Average(window, view, options, target);
-  return drawn;
+  this->DrawFirst(window, clouds, options, this->Nearest, nearest);
+  this->DrawSums(window, clouds, options);
+  this->Average(window, r, options, target);
 }
 
-vtkIdType vtkPointProjectionOpenGL::DrawFirst(vtkOpenGLRenderWindow* window, const Points& points,
-  const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
+void vtkPointProjectionOpenGL::DrawFirst(vtkOpenGLRenderWindow* window,
+  const std::vector<Cloud>& clouds, const vtkPointProjectionOptions& options,
   vtkSurfaceTarget& target, vtkSurfaceTarget* nearest)
 {
   vtkOpenGLState* state = window->GetState();
@@ -108,30 +108,34 @@ vtkIdType vtkPointProjectionOpenGL::DrawFirst(vtkOpenGLRenderWindow* window, con
   // of points at the same depth the first one stays
   state->vtkglDepthFunc(nearest ? GL_GREATER : GL_LESS);
   target.Clear(nearest ? 0.0f : 1.0f);
-  vtkShaderProgram* program = this->ReadyProgram(window, this->FirstPass,
-    vtkSurfaceTarget::GetOutputDeclarations(target.GetLayers()) + vtkPointProjectionFS, points,
-    view, options);
-  vtkIdType drawn = 0;
-  if (program)
+  if (nearest)
   {
-    program->SetUniformi("onlyFarthest", nearest != nullptr);
-    if (nearest)
+    nearest->Activate();
+  }
+  const std::string shader =
+    vtkSurfaceTarget::GetOutputDeclarations(target.GetLayers()) + vtkPointProjectionFS;
+  for (const Cloud& cloud : clouds)
+  {
+    Pass& pass = cloud.Projection->FirstPass;
+    if (vtkShaderProgram* program = ReadyProgram(window, pass, shader, cloud, options))
     {
-      nearest->Activate();
-      nearest->SetSamplers(program, "nearest");
-    }
-    drawn = this->DrawRanges(this->FirstPass, view);
-    if (nearest)
-    {
-      nearest->Deactivate();
+      program->SetUniformi("onlyFarthest", nearest != nullptr);
+      if (nearest)
+      {
+        nearest->SetSamplers(program, "nearest");
+      }
+      cloud.Projection->DrawRanges(pass, cloud.View);
     }
   }
+  if (nearest)
+  {
+    nearest->Deactivate();
+  }
   state->vtkglDisable(GL_DEPTH_TEST);
-  return drawn;
 }
 
-void vtkPointProjectionOpenGL::DrawSums(vtkOpenGLRenderWindow* window, const Points& points,
-  const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options)
+void vtkPointProjectionOpenGL::DrawSums(vtkOpenGLRenderWindow* window,
+  const std::vector<Cloud>& clouds, const vtkPointProjectionOptions& options)
 {
   std::vector<vtkSurfaceTarget::Layer> layers = { vtkSurfaceTarget::Shape,
     vtkSurfaceTarget::Interval };
@@ -142,30 +146,31 @@ void vtkPointProjectionOpenGL::DrawSums(vtkOpenGLRenderWindow* window, const Poi
   this->Sums.Allocate(window, this->Nearest.GetWidth(), this->Nearest.GetHeight(), layers);
   this->Sums.BindForWriting(window);
   this->Sums.Clear();
-  vtkShaderProgram* program = this->ReadyProgram(window, this->SumPass,
-    vtkSurfaceTarget::GetInputDeclarations(
-      { vtkSurfaceTarget::Shape, vtkSurfaceTarget::Interval }, "nearest") +
-      vtkSurfaceTarget::GetOutputDeclarations(layers) + vtkPointSumFS,
-    points, view, options);
-  if (!program)
-  {
-    return;
-  }
+  const std::string shader = vtkSurfaceTarget::GetInputDeclarations(
+                               { vtkSurfaceTarget::Shape, vtkSurfaceTarget::Interval }, "nearest") +
+    vtkSurfaceTarget::GetOutputDeclarations(layers) + vtkPointSumFS;
   this->Nearest.Activate();
-  this->Nearest.SetSamplers(program, "nearest");
-  program->SetUniformi("onlyFarthest", 0);
-  program->SetUniformi("twoSided", view.Cull == vtkPointSurfaceView::NoCulling);
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFunc(GL_ONE, GL_ONE);
-  this->DrawRanges(this->SumPass, view);
+  for (const Cloud& cloud : clouds)
+  {
+    Pass& pass = cloud.Projection->SumPass;
+    if (vtkShaderProgram* program = ReadyProgram(window, pass, shader, cloud, options))
+    {
+      this->Nearest.SetSamplers(program, "nearest");
+      program->SetUniformi("onlyFarthest", 0);
+      program->SetUniformi("twoSided", cloud.View.Cull == vtkPointSurfaceView::NoCulling);
+      cloud.Projection->DrawRanges(pass, cloud.View);
+    }
+  }
   state->vtkglDisable(GL_BLEND);
   this->Nearest.Deactivate();
 }
 
 void vtkPointProjectionOpenGL::Average(vtkOpenGLRenderWindow* window,
-  const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
+  const std::array<int, 4>& rectangle, const vtkPointProjectionOptions& options,
   vtkSurfaceTarget& target)
 {
   std::unique_ptr<vtkScreenPass>& pass = this->AveragePasses[target.GetLayers()];
@@ -187,32 +192,29 @@ void vtkPointProjectionOpenGL::Average(vtkOpenGLRenderWindow* window,
   this->Sums.SetSamplers(program, "sum");
   program->SetUniformi("centerDepths", options.CenterDepths);
   target.BindForWriting(window);
-  const auto& r = view.Rectangle;
-  pass->Draw(window, r[0], r[1], r[2], r[3]);
+  pass->Draw(window, rectangle[0], rectangle[1], rectangle[2], rectangle[3]);
   this->Sums.Deactivate();
   this->Nearest.Deactivate();
 }
 
 //------------------------------------------------------------------------------
 vtkShaderProgram* vtkPointProjectionOpenGL::ReadyProgram(vtkOpenGLRenderWindow* window, Pass& pass,
-  const std::string& fragmentShader, const Points& points, const vtkPointSurfaceView& view,
-  const vtkPointProjectionOptions& options)
+  const std::string& fragmentShader, const Cloud& cloud, const vtkPointProjectionOptions& options)
 {
   vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
     vtkPointProjectionVS, ("//VTK::System::Dec\n" + fragmentShader).c_str(), "");
   if (program)
   {
-    this->BindAttributes(pass, program, points);
-    this->SetUniforms(program, points, view, options);
+    BindAttributes(pass, program, cloud);
+    SetUniforms(program, cloud, options);
     window->GetState()->vtkglPointSize(1.0f);
   }
   return program;
 }
 
-vtkIdType vtkPointProjectionOpenGL::DrawRanges(Pass& pass, const vtkPointSurfaceView& view)
+void vtkPointProjectionOpenGL::DrawRanges(Pass& pass, const vtkPointSurfaceView& view)
 {
   const bool listed = this->Ids->IndexCount > 0;
-  vtkIdType drawn = 0;
   if (listed)
   {
     this->Ids->Bind();
@@ -224,20 +226,18 @@ vtkIdType vtkPointProjectionOpenGL::DrawRanges(Pass& pass, const vtkPointSurface
     listed
       ? glDrawElements(GL_POINTS, count, GL_UNSIGNED_INT, reinterpret_cast<const GLvoid*>(offset))
       : glDrawArrays(GL_POINTS, static_cast<GLint>(range[0]), count);
-    drawn += count;
   }
   if (listed)
   {
     this->Ids->Release();
   }
   pass.VertexArray->Release();
-  return drawn;
 }
 
 void vtkPointProjectionOpenGL::BindAttributes(
-  Pass& pass, vtkShaderProgram* program, const Points& points)
+  Pass& pass, vtkShaderProgram* program, const Cloud& cloud)
 {
-  vtkOpenGLVertexBufferObjectGroup* buffers = points.Buffers;
+  vtkOpenGLVertexBufferObjectGroup* buffers = cloud.Buffers;
   pass.VertexArray->Bind();
   if (program == pass.BoundProgram && buffers->GetMTime() < pass.BindTime &&
     program->GetMTime() < pass.BindTime)
@@ -247,7 +247,7 @@ void vtkPointProjectionOpenGL::BindAttributes(
   pass.VertexArray->ReleaseGraphicsResources();
   pass.VertexArray->Bind();
   buffers->AddAllAttributesToVAO(program, pass.VertexArray);
-  if (!points.HaveNormals)
+  if (!cloud.HaveNormals)
   {
     pass.VertexArray->RemoveAttributeArray("normalMC"); // which then reads as zero
   }
@@ -255,9 +255,10 @@ void vtkPointProjectionOpenGL::BindAttributes(
   pass.BindTime.Modified();
 }
 
-void vtkPointProjectionOpenGL::SetUniforms(vtkShaderProgram* program, const Points& points,
-  const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options)
+void vtkPointProjectionOpenGL::SetUniforms(
+  vtkShaderProgram* program, const Cloud& cloud, const vtkPointProjectionOptions& options)
 {
+  const vtkPointSurfaceView& view = cloud.View;
   vtkNew<vtkMatrix4x4> matrix;
   matrix->DeepCopy(view.MCVC.data());
   program->SetUniformMatrix("MCVCMatrix", matrix);
@@ -267,9 +268,11 @@ void vtkPointProjectionOpenGL::SetUniforms(vtkShaderProgram* program, const Poin
   normal->DeepCopy(view.Normal.data());
   program->SetUniformMatrix("normalMatrix", normal);
 
-  program->SetUniformf("uniformRadius", static_cast<float>(points.UniformRadius));
+  program->SetUniformf("uniformRadius", static_cast<float>(cloud.UniformRadius));
   program->SetUniformf("radiusScale", static_cast<float>(view.RadiusScale));
-  program->SetUniformi("colorSource", GetColorSource(points.Buffers));
+  program->SetUniformi("colorSource", GetColorSource(cloud.Buffers));
+  program->SetUniform4f("constantColor", cloud.Color.data());
+  program->SetUniformi("firstId", static_cast<int>(cloud.FirstId));
   program->SetUniformi("cull", view.Cull);
   const float depthRange[2] = { static_cast<float>(view.DepthRange[0]),
     static_cast<float>(view.DepthRange[1]) };

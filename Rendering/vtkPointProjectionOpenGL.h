@@ -12,11 +12,13 @@
 #define vtkPointProjectionOpenGL_h
 
 #include "vtkNew.h"
+#include "vtkPointSurfaceView.h"
 #include "vtkSmartPointer.h"
 #include "vtkSurfaceTarget.h"
 #include "vtkTimeStamp.h"
 #include "vtkType.h"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -30,20 +32,23 @@ class vtkScreenPass;
 class vtkShaderProgram;
 class vtkWindow;
 struct vtkPointProjectionOptions;
-struct vtkPointSurfaceView;
 
 class vtkPointProjectionOpenGL
 {
 public:
   /**
-   * What is drawn: vertex buffers by the names vertexMC, normalMC, radiusMC, scalarColor, tcoord
-   * and colorTCoord.
+   * A cloud to draw: its projection and view; vertex buffers by the names vertexMC, normalMC,
+   * radiusMC, scalarColor, tcoord and colorTCoord.
    */
-  struct Points
+  struct Cloud
   {
+    vtkPointProjectionOpenGL* Projection = nullptr;
+    vtkPointSurfaceView View;
     vtkOpenGLVertexBufferObjectGroup* Buffers = nullptr;
     double UniformRadius = 0.0; ///< 0: radiusMC has a radius for each point
     bool HaveNormals = true;    ///< else normalMC is not read: all points face the viewer
+    vtkIdType FirstId = 0;      ///< what the ids of the points begin with
+    std::array<float, 4> Color{ 1.0f, 1.0f, 1.0f, 1.0f }; ///< where they have no colours
   };
 
   /**
@@ -62,14 +67,14 @@ public:
   size_t UploadIds(const std::vector<unsigned int>& ids, vtkMTimeType time);
 
   /**
-   * Draws the points of the view's ranges into `target`, which has the layers Shape and Interval at
-   * least, and a depth buffer. With `nearest`, the result of such a run with centre depths, a pixel
-   * gets the farthest point within the options' depth tolerance behind its nearest one. Returns the
-   * number of points sent.
+   * Draws the points of the views' ranges of clouds into `target`, which has the layers Shape and
+   * Interval at least, and a depth buffer; all views have one rectangle, which is emptied before.
+   * With `nearest`, the result of such a run with centre depths, a pixel gets the farthest point
+   * within the options' depth tolerance behind its nearest one.
    */
-  vtkIdType Draw(vtkOpenGLRenderWindow* window, const Points& points,
-    const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
-    vtkSurfaceTarget& target, vtkSurfaceTarget* nearest = nullptr);
+  void Draw(vtkOpenGLRenderWindow* window, const std::vector<Cloud>& clouds,
+    const vtkPointProjectionOptions& options, vtkSurfaceTarget& target,
+    vtkSurfaceTarget* nearest = nullptr);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -85,20 +90,19 @@ private:
     vtkTimeStamp BindTime;
   };
 
-  vtkIdType DrawFirst(vtkOpenGLRenderWindow* window, const Points& points,
-    const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
-    vtkSurfaceTarget& target, vtkSurfaceTarget* nearest);
-  void DrawSums(vtkOpenGLRenderWindow* window, const Points& points,
-    const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options);
-  void Average(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
+  void DrawFirst(vtkOpenGLRenderWindow* window, const std::vector<Cloud>& clouds,
+    const vtkPointProjectionOptions& options, vtkSurfaceTarget& target, vtkSurfaceTarget* nearest);
+  void DrawSums(vtkOpenGLRenderWindow* window, const std::vector<Cloud>& clouds,
+    const vtkPointProjectionOptions& options);
+  void Average(vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle,
     const vtkPointProjectionOptions& options, vtkSurfaceTarget& target);
-  vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window, Pass& pass,
-    const std::string& fragmentShader, const Points& points, const vtkPointSurfaceView& view,
+  static vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window, Pass& pass,
+    const std::string& fragmentShader, const Cloud& cloud,
     const vtkPointProjectionOptions& options);
-  vtkIdType DrawRanges(Pass& pass, const vtkPointSurfaceView& view);
-  void BindAttributes(Pass& pass, vtkShaderProgram* program, const Points& points);
-  void SetUniforms(vtkShaderProgram* program, const Points& points, const vtkPointSurfaceView& view,
-    const vtkPointProjectionOptions& options);
+  void DrawRanges(Pass& pass, const vtkPointSurfaceView& view);
+  static void BindAttributes(Pass& pass, vtkShaderProgram* program, const Cloud& cloud);
+  static void SetUniforms(
+    vtkShaderProgram* program, const Cloud& cloud, const vtkPointProjectionOptions& options);
 
   vtkNew<vtkOpenGLIndexBufferObject> Ids;
   vtkMTimeType IdsTime = 0;

@@ -3,6 +3,7 @@
 
 #include "vtkDrawablePoints.h"
 #include "vtkEyeFrame.h"
+#include "vtkJointSurface.h"
 #include "vtkKeptArray.h"
 #include "vtkPointBlocks.h"
 #include "vtkPointProjectionCPU.h"
@@ -12,6 +13,7 @@
 #include "vtkPointSurfaceView.h"
 #include "vtkResolveCPU.h"
 #include "vtkResolveOpenGL.h"
+#include "vtkSurfaceBuffer.h"
 #include "vtkSurfaceBufferShading.h"
 #include "vtkSurfaceImage.h"
 #include "vtkSurfacePixels.h"
@@ -78,13 +80,7 @@ enum Stage
 class vtkPointSurfaceMapper::vtkInternals
 {
 public:
-  struct SurfaceBuffer
-  {
-    vtkPointSurfaceView View;
-    vtkSurfaceTarget Target;
-    bool Valid = false;
-    unsigned long LastUse = 0;
-  };
+  using SurfaceBuffer = vtkSurfaceBuffer;
 
   vtkDrawablePoints Points;
   vtkMTimeType PointsInputTime = 0;   // of the input that Points was built from
@@ -100,6 +96,10 @@ public:
   vtkResolveOpenGL Resolve;
   std::vector<std::unique_ptr<SurfaceBuffer>> Surfaces;
   SurfaceBuffer* Current = nullptr;
+  vtkJointSurface* Joint = nullptr;           // that this cloud is a part of, while a pass renders
+  std::shared_ptr<SurfaceBuffer> JointBuffer; // of the last frame's joint surface
+  std::vector<vtkJointSurface::Member> Projected; // the clouds that ProjectPoints() projects
+  int PointRange[2] = { 0, VTK_INT_MAX };         // ids of this cloud in the current buffer
   unsigned long UseCount = 0;
   std::vector<vtkSurfaceTarget::Layer> ShadedLayers; // that the shading program was made for
   vtkTimeStamp ShadedLayersTime;
@@ -185,6 +185,7 @@ void vtkPointSurfaceMapper::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->Internals->Surfaces.clear();
   this->Internals->Current = nullptr;
+  this->Internals->JointBuffer.reset();
   this->Internals->Projection.ReleaseGraphicsResources(window);
   this->Internals->Samples.ReleaseGraphicsResources(window);
   this->Internals->Resolve.ReleaseGraphicsResources();
@@ -230,10 +231,13 @@ void vtkPointSurfaceMapper::UpdateCameraShiftScale(vtkRenderer* renderer, vtkAct
   // to another it releases in the old one's context, and windows without PopContext leave that
   // context current.
   renderer->GetRenderWindow()->MakeCurrent();
-  TakeOpenGLErrors(); // of others
-  this->Internals->FrameTime.Modified();
-  this->LastFrameBytesUploaded = 0;
-  this->LastFrameSurfaceBytesUploaded = 0;
+  if (this->BeginsFrame())
+  {
+    TakeOpenGLErrors(); // of others
+    this->Internals->FrameTime.Modified();
+    this->LastFrameBytesUploaded = 0;
+    this->LastFrameSurfaceBytesUploaded = 0;
+  }
   this->ChooseBackend();
   this->UpdateDrawablePoints();
   this->CurrentInput = this->Internals->Points.GetCloud();
@@ -462,20 +466,22 @@ void vtkPointSurfaceMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
 {
   this->DrawingVertices = false;
   this->DrawingSelection = false;
-  this->LastFramePointsDrawn = 0;
-  this->LastFrameLevels = 0;
-  this->LastFramePasses = 0;
-  this->LastFrameReconstructions = 0;
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   this->Internals->Window = window;
-  for (auto& timer : this->Internals->Timers)
+  if (this->BeginsFrame())
   {
-    timer.Reset();
+    this->LastFramePointsDrawn = 0;
+    this->LastFrameLevels = 0;
+    this->LastFramePasses = 0;
+    this->LastFrameReconstructions = 0;
+    for (auto& timer : this->Internals->Timers)
+    {
+      timer.Reset();
+    }
+    std::fill_n(this->Internals->ClockMilliseconds, static_cast<int>(NumberOfStages), 0.0);
+    this->CountBytesUploaded();
   }
-  std::fill_n(this->Internals->ClockMilliseconds, static_cast<int>(NumberOfStages), 0.0);
   this->TimerQuery->ReusableStart();
-
-  this->CountBytesUploaded();
 
   this->Internals->Current = nullptr;
   const std::vector<vtkPointBlockGroup> groups = this->GetBlockGroups(renderer, actor);
@@ -540,7 +546,14 @@ void vtkPointSurfaceMapper::DrawBlocks(
   {
     return;
   }
-  this->FindOrMakeSurfaceBuffer(renderer, view);
+  if (this->JoinSurface(actor, view))
+  {
+    return;
+  }
+  if (!this->FindJointSurface(view))
+  {
+    this->FindOrMakeSurfaceBuffer(renderer, view);
+  }
   this->Internals->Timers[Shade].Start();
   this->ShadeSurfaceBuffer(renderer, actor);
   this->Internals->Timers[Shade].Stop();
@@ -713,6 +726,65 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(
 }
 
 //------------------------------------------------------------------------------
+bool vtkPointSurfaceMapper::BeginsFrame() const
+{
+  return !this->Internals->Joint || this->Internals->Joint->IsCollecting();
+}
+
+void vtkPointSurfaceMapper::SetJointSurface(vtkJointSurface* joint)
+{
+  this->Internals->Joint = joint;
+}
+
+bool vtkPointSurfaceMapper::JoinSurface(vtkActor* actor, const vtkPointSurfaceView& view)
+{
+  vtkJointSurface* joint = this->Internals->Joint;
+  if (!joint || !joint->IsCollecting())
+  {
+    return false;
+  }
+  vtkJointSurface::Member member;
+  member.Mapper = this;
+  member.View = view;
+  member.HasColors = this->VBOs->GetNumberOfComponents("scalarColor") > 0;
+  const double* color = actor->GetProperty()->GetDiffuseColor();
+  std::copy_n(color, 3, member.Color.begin());
+  member.Color[3] = 1.0f;
+  member.NumberOfPoints = this->CurrentInput->GetNumberOfPoints();
+  // colours cannot be averaged with places in a texture
+  const bool textured = vtkPointProjectionOpenGL::HasColors(this->VBOs) && !member.HasColors;
+  if (this->HasJointForm() && !textured)
+  {
+    joint->Add(member);
+  }
+  return true;
+}
+
+bool vtkPointSurfaceMapper::FindJointSurface(const vtkPointSurfaceView& view)
+{
+  vtkInternals& internals = *this->Internals;
+  const vtkJointSurface::Member* member =
+    internals.Joint ? internals.Joint->Find(this, view) : nullptr;
+  internals.PointRange[0] = member ? static_cast<int>(member->FirstId) : 0;
+  internals.PointRange[1] =
+    member ? static_cast<int>(member->FirstId + member->NumberOfPoints) : VTK_INT_MAX;
+  if (member)
+  {
+    internals.JointBuffer = internals.Joint->GetBuffer();
+    internals.Current = internals.JointBuffer.get();
+  }
+  return member != nullptr;
+}
+
+void vtkPointSurfaceMapper::MakeJointSurface(const vtkJointSurface& joint)
+{
+  const auto& members = joint.GetMembers();
+  const bool colors = std::any_of(
+    members.begin(), members.end(), [](const auto& member) { return member.HasColors; });
+  this->Internals->Projected = members;
+  this->MakeBuffer(*joint.GetBuffer(), joint.GetView(), true, colors);
+}
+
 void vtkPointSurfaceMapper::FindOrMakeSurfaceBuffer(
   vtkRenderer* renderer, const vtkPointSurfaceView& view)
 {
@@ -731,36 +803,45 @@ void vtkPointSurfaceMapper::FindOrMakeSurfaceBuffer(
     return;
   }
 
+  vtkJointSurface::Member alone;
+  alone.Mapper = this;
+  alone.View = view;
+  internals.Projected = { alone };
+  this->MakeBuffer(*surface, view, needsIds, vtkPointProjectionOpenGL::HasColors(this->VBOs));
+}
+
+void vtkPointSurfaceMapper::MakeBuffer(
+  vtkSurfaceBuffer& surface, const vtkPointSurfaceView& view, bool ids, bool colors)
+{
+  vtkInternals& internals = *this->Internals;
   std::vector<vtkSurfaceTarget::Layer> layers = { vtkSurfaceTarget::Surface };
-  if (needsIds)
+  if (ids)
   {
     layers.push_back(vtkSurfaceTarget::Id);
   }
-  if (vtkPointProjectionOpenGL::HasColors(this->VBOs))
+  if (colors)
   {
     layers.push_back(vtkSurfaceTarget::Color);
   }
-
   vtkOpenGLRenderWindow* window = internals.Window;
   vtkOpenGLState* state = window->GetState();
-  surface->Target.Allocate(
+  surface.Target.Allocate(
     window, view.Size[0] / view.Supersampling, view.Size[1] / view.Supersampling, layers);
   const bool resolve = view.Supersampling > 1;
-  surface->View = view;
-  surface->Valid = true;
+  surface.View = view;
+  surface.Valid = true;
   ++this->LastFrameReconstructions;
   if (this->LastFrameBackend == CPU)
   {
-    const bool colored = surface->Target.Has(vtkSurfaceTarget::Color);
     const double start = vtkTimerLog::GetUniversalTime();
     vtkSurfacePixels& samples = resolve ? internals.SamplePixels : internals.Pixels;
-    this->MakeSurfacePixels(view, needsIds, colored, samples);
+    this->MakeSurfacePixels(view, ids, colors, samples);
     if (resolve)
     {
       vtkResolveCPU::Run(view, samples, internals.Pixels);
       ++this->LastFramePasses;
     }
-    this->LastFrameSurfaceBytesUploaded += surface->Target.Upload(window, internals.Pixels);
+    this->LastFrameSurfaceBytesUploaded += surface.Target.Upload(window, internals.Pixels);
     internals.ClockMilliseconds[Reconstruct] =
       1e3 * (vtkTimerLog::GetUniversalTime() - start) - internals.ClockMilliseconds[Project];
     return;
@@ -790,12 +871,12 @@ void vtkPointSurfaceMapper::FindOrMakeSurfaceBuffer(
     {
       internals.Samples.Allocate(window, view.Size[0], view.Size[1], layers);
       this->MakeSurfaceBuffer(window, view, internals.Samples);
-      internals.Resolve.Run(window, view, internals.Samples, surface->Target);
+      internals.Resolve.Run(window, view, internals.Samples, surface.Target);
       ++this->LastFramePasses;
     }
     else
     {
-      this->MakeSurfaceBuffer(window, view, surface->Target);
+      this->MakeSurfaceBuffer(window, view, surface.Target);
     }
     internals.Timers[Reconstruct].Stop();
   }
@@ -819,15 +900,26 @@ void vtkPointSurfaceMapper::ProjectPoints(vtkOpenGLRenderWindow* window,
   }
   projected.Allocate(window, view.Size[0], view.Size[1], layers, true);
 
-  vtkPointProjectionOpenGL::Points points;
-  points.Buffers = this->VBOs;
-  points.UniformRadius = internals.Points.GetRadii() ? 0.0 : internals.Points.GetUniformRadius();
-  points.HaveNormals = this->NeedsNormals();
-  this->LastFramePointsDrawn += internals.Projection.Draw(window, points, view, options, projected);
+  std::vector<vtkPointProjectionOpenGL::Cloud> clouds;
+  for (const vtkJointSurface::Member& member : internals.Projected)
+  {
+    vtkInternals& source = *member.Mapper->Internals;
+    vtkPointProjectionOpenGL::Cloud cloud;
+    cloud.Projection = &source.Projection;
+    cloud.View = member.GetView(view);
+    cloud.Buffers = member.Mapper->VBOs;
+    cloud.UniformRadius = source.Points.GetRadii() ? 0.0 : source.Points.GetUniformRadius();
+    cloud.HaveNormals = this->NeedsNormals();
+    cloud.FirstId = member.FirstId;
+    cloud.Color = member.Color;
+    clouds.push_back(cloud);
+    member.Mapper->LastFramePointsDrawn += member.View.GetNumberOfPoints();
+  }
+  internals.Projection.Draw(window, clouds, options, projected);
   if (farthest)
   {
     farthest->Allocate(window, view.Size[0], view.Size[1], layers, true);
-    internals.Projection.Draw(window, points, view, options, *farthest, &projected);
+    internals.Projection.Draw(window, clouds, options, *farthest, &projected);
   }
   internals.Timers[Project].Stop();
   internals.Timers[Reconstruct].Start();
@@ -842,11 +934,18 @@ void vtkPointSurfaceMapper::ProjectPoints(const vtkPointSurfaceView& view,
   const auto& r = view.Rectangle;
   const vtkSurfaceImage::Rectangle rectangle = { r[0], r[1], r[0] + r[2], r[1] + r[3] };
   projected.Allocate(view.Size[0], view.Size[1], rectangle, ids, colors);
-  this->LastFramePointsDrawn += internals.ProjectionCPU.Draw(view, options, projected);
+  std::vector<vtkPointProjectionCPU::Cloud> clouds;
+  for (const vtkJointSurface::Member& member : internals.Projected)
+  {
+    clouds.push_back({ &member.Mapper->Internals->ProjectionCPU, member.GetView(view),
+      member.FirstId, member.Color });
+    member.Mapper->LastFramePointsDrawn += member.View.GetNumberOfPoints();
+  }
+  internals.ProjectionCPU.Draw(clouds, options, projected);
   if (farthest)
   {
     farthest->Allocate(view.Size[0], view.Size[1], rectangle, ids, colors);
-    internals.ProjectionCPU.Draw(view, options, *farthest, &projected);
+    internals.ProjectionCPU.Draw(clouds, options, *farthest, &projected);
   }
   internals.ClockMilliseconds[Project] = 1e3 * (vtkTimerLog::GetUniversalTime() - start);
 }
@@ -919,6 +1018,10 @@ void vtkPointSurfaceMapper::SetMapperShaderParameters(
   const int origin[2] = { this->Internals->ViewportOrigin[0] - view.Rim,
     this->Internals->ViewportOrigin[1] - view.Rim };
   program->SetUniform2i("psOrigin", origin);
+  if (program->IsUniformUsed("psPoints"))
+  {
+    program->SetUniform2i("psPoints", this->Internals->PointRange);
+  }
   program->SetUniformi("psHasCoverage", view.Supersampling > 1 || this->MakesCoverage());
   const auto pixels = view.GetPixelRectangle();
   const int end[2] = { pixels[0] + pixels[2], pixels[1] + pixels[3] };

@@ -49,10 +49,12 @@ class vtkDrawablePoints;
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexBufferObjectCache;
+class vtkJointSurface;
 class vtkSurfaceImage;
 class vtkSurfaceTarget;
 struct vtkPointProjectionOptions;
 struct vtkPointSurfaceView;
+struct vtkSurfaceBuffer;
 struct vtkSurfacePixels;
 
 class VTKPOINTSURFACE_EXPORT vtkPointSurfaceMapper : public vtkCompositePointMapper
@@ -260,6 +262,12 @@ protected:
    */
   virtual bool MakesCoverage() const { return false; }
 
+  /**
+   * Whether what is made of points in MakeSurfaceBuffer() and MakeSurfacePixels() comes from
+   * ProjectPoints() alone: then vtkPointSurfacePass can have several clouds made to one.
+   */
+  virtual bool HasJointForm() const { return false; }
+
   ///@{
   /**
    * MakeSurfaceBuffer() by the processor, for subclasses that can: makes the pixels of the view's
@@ -369,7 +377,18 @@ private:
   vtkPointSurfaceView GetView(
     vtkRenderer* renderer, vtkActor* actor, const vtkPointBlockGroup& blocks);
   void FindOrMakeSurfaceBuffer(vtkRenderer* renderer, const vtkPointSurfaceView& view);
+  void MakeBuffer(
+    vtkSurfaceBuffer& surface, const vtkPointSurfaceView& view, bool ids, bool colors);
   void ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* actor);
+
+  // The cloud as a part of a joint surface; see vtkPointSurfacePass.
+  friend class vtkPointSurfacePass;
+  void SetJointSurface(vtkJointSurface* joint);
+  void MakeJointSurface(const vtkJointSurface& joint);
+  bool BeginsFrame() const;
+  // Whether this call of VTK's was for the cloud to join, not to be drawn.
+  bool JoinSurface(vtkActor* actor, const vtkPointSurfaceView& view);
+  bool FindJointSurface(const vtkPointSurfaceView& view);
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

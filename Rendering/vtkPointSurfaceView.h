@@ -55,6 +55,16 @@ struct vtkPointSurfaceView
   double Diagonal = 0.0;              ///< of the cloud's bounding box, in eye units
   double CenterDistance = 0.0;        ///< from the eye to that box's centre
 
+  vtkIdType GetNumberOfPoints() const
+  {
+    vtkIdType count = 0;
+    for (const auto& range : this->Ranges)
+    {
+      count += range[1] - range[0];
+    }
+    return count;
+  }
+
   bool IsParallel() const { return this->VCDC[11] == 0.0; }
 
   /// The largest factor by which a matrix (row vectors) stretches an axis.

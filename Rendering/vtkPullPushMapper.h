@@ -130,6 +130,7 @@ protected:
 
   void MakeSurfaceBuffer(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
     vtkSurfaceTarget& surface) override;
+  bool HasJointForm() const override { return true; }
   bool HasCPUForm() const override { return true; }
   bool NeedsRim() const override { return true; }
   void MakeSurfacePixels(

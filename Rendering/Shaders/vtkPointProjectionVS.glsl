@@ -13,7 +13,9 @@ uniform mat4 VCDCMatrix;
 uniform mat3 normalMatrix;
 uniform float uniformRadius; // 0: each point has its own
 uniform float radiusScale;   // from the units of the radii to eye units
-uniform int colorSource;     // 0 none, 1 scalarColor, 2 colorTCoord, 3 tcoord
+uniform int colorSource;     // 0 constantColor, 1 scalarColor, 2 colorTCoord, 3 tcoord
+uniform vec4 constantColor;
+uniform int firstId;
 uniform int cull;            // 1 drops points that face away, 2 those that face the viewer
 uniform vec2 depthRange;     // eye depths between which the cloud lies
 uniform vec2 targetSize;     // in pixels
@@ -56,8 +58,8 @@ void main()
   float depth = -position.z;
   float radius = radiusScale * (uniformRadius > 0.0 ? uniformRadius : radiusMC);
   shape = vec4(normal, radius);
-  color = colorSource == 1 ? scalarColor : vec4(colorSource == 2 ? colorTCoord : tcoord, 0.0, 1.0);
-  id = uint(gl_VertexID) + 1u;
+  color = colorSource == 0 ? constantColor : colorSource == 1 ? scalarColor : vec4(colorSource == 2 ? colorTCoord : tcoord, 0.0, 1.0);
+  id = uint(gl_VertexID + firstId) + 1u;
 
   gl_PointSize = 1.0;
   gl_Position = VCDCMatrix * position;

@@ -11,6 +11,7 @@ float psCoverage;
 float psFragCoordZ;        // stands for gl_FragCoord.z
 float psFragCoordW;        // stands for gl_FragCoord.w
 bool psFrontFacing;        // stands for gl_FrontFacing
+uniform ivec2 psPoints;    // from the first id of this cloud's to the one past the last
 int psPoint;               // stands for gl_PrimitiveID; -1 where there is no surface
 vec4 psVertexVC;
 

@@ -4,6 +4,7 @@
   psPoint = psGeometry.w > 0.0 ? 0 : -1;
 #ifdef HAS_ID
   psPoint = int(texelFetch(psId, psPixel, 0).r) - 1;
+  psPoint = psPoint >= psPoints.x && psPoint < psPoints.y ? psPoint - psPoints.x : -1;
 #endif
   psCoverage = psHasCoverage ? length(psGeometry.xyz) : 1.0;
   vec4 psColorOrTCoord = vec4(1.0);

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSurfacePass
+ * @brief   draws all opaque props, and reconstructs the clouds among them as one
+ *
+ * Ten clouds cost one reconstruction, and close each other's gaps: the picture is that of one
+ * merged cloud, but for each actor's own material. It takes the place of vtkOpaquePass:
+ *
+ *     vtkNew<vtkRenderStepsPass> steps;
+ *     steps->SetOpaquePass(vtkNew<vtkPointSurfacePass>());
+ *     renderer->SetPass(steps);
+ *
+ * The clouds are those of actors with a vtkPointSurfaceMapper; the first one's properties say how
+ * all are reconstructed. Clouds that do not fit to it are drawn by themselves: those of another
+ * class of mapper, or one that has no joint form; of another back end or supersampling; clipped by
+ * other planes; with scalars that are mapped by texture, or texture coordinates; in parallel
+ * projection, clouds that reach behind the camera's position; and, where clouds go on outside of
+ * the viewport, those whose discs reach into it from another distance (in steps of 16 pixels) than
+ * the first one's, which is 0 for a cloud that is wholly inside. So are translucent clouds.
+ *
+ * Selection and hardware picking, which VTK's passes know nothing of, work as without passes.
+ *
+ * @sa vtkPointSurfaceMapper vtkRenderStepsPass vtkOpaquePass
+ */
+#ifndef vtkPointSurfacePass_h
+#define vtkPointSurfacePass_h
+
+#include "vtkOpenGLRenderPass.h"
+#include "vtkPointSurfaceModule.h" // for export macro
+
+#include <memory> // for std::unique_ptr
+
+class VTKPOINTSURFACE_EXPORT vtkPointSurfacePass : public vtkOpenGLRenderPass
+{
+public:
+  static vtkPointSurfacePass* New();
+  vtkTypeMacro(vtkPointSurfacePass, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void Render(const vtkRenderState* state) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  /**
+   * Clouds that were reconstructed as one in the last frame; 0 when there were less than two.
+   */
+  vtkGetMacro(LastFrameJointClouds, int);
+
+protected:
+  vtkPointSurfacePass();
+  ~vtkPointSurfacePass() override;
+
+  int LastFrameJointClouds = 0;
+
+private:
+  vtkPointSurfacePass(const vtkPointSurfacePass&) = delete;
+  void operator=(const vtkPointSurfacePass&) = delete;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

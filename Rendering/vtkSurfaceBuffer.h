@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSurfaceBuffer
+ * @brief   a finished surface buffer, and the view that it is of
+ */
+#ifndef vtkSurfaceBuffer_h
+#define vtkSurfaceBuffer_h
+
+#include "vtkPointSurfaceView.h"
+#include "vtkSurfaceTarget.h"
+
+struct vtkSurfaceBuffer
+{
+  vtkPointSurfaceView View;
+  vtkSurfaceTarget Target;
+  bool Valid = false;
+  unsigned long LastUse = 0;
+};
+
+#endif

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkPointSurfacePass: the picture of ten clouds is that of one merged cloud, though each of them
+// alone is full of holes, in one reconstruction; each keeps its material, colours and transform;
+// what does not fit is drawn by itself. With both back ends.
+
+#include "PointSurfaceTestUtilities.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkHardwareSelector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPointSurfacePass.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkPullPushMapper.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSphereSource.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <array>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <vector>
+
+using namespace PointSurfaceTest;
+
+namespace
+{
+Checks check;
+
+constexpr int Size = 200;
+constexpr int NumberOfClouds = 10;
+constexpr int NumberOfPoints = 8000;
+
+using Picture = std::vector<unsigned char>;
+
+struct Scene
+{
+  std::vector<vtkSmartPointer<vtkPullPushMapper>> Mappers;
+  std::vector<vtkSmartPointer<vtkActor>> Actors;
+  vtkNew<vtkPointSurfacePass> Pass;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+  const int Backend;
+
+  Scene(int backend, bool joint)
+    : Backend(backend)
+  {
+    if (joint)
+    {
+      vtkNew<vtkRenderStepsPass> steps;
+      steps->SetOpaquePass(this->Pass);
+      this->Renderer->SetPass(steps);
+    }
+    this->Renderer->SetBackground(0.1, 0.2, 0.3);
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->SetPosition(1.0, 2.0, 5.0);
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(Size, Size);
+    this->Window->AddRenderer(this->Renderer);
+  }
+
+  vtkPullPushMapper* Add(vtkDataObject* cloud)
+  {
+    auto mapper = vtkSmartPointer<vtkPullPushMapper>::New();
+    mapper->SetBackend(this->Backend);
+    mapper->SetInputData(cloud);
+    mapper->SetScalarRange(-1.0, 1.0);
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    this->Renderer->AddActor(actor);
+    this->Mappers.push_back(mapper);
+    this->Actors.push_back(actor);
+    return mapper;
+  }
+
+  Picture Render()
+  {
+    this->Renderer->ResetCameraClippingRange();
+    this->Window->Render();
+    vtkNew<vtkUnsignedCharArray> pixels;
+    this->Window->GetPixelData(0, 0, Size - 1, Size - 1, 0, pixels);
+    return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
+  }
+
+  int CountReconstructions() const
+  {
+    int count = 0;
+    for (const auto& mapper : this->Mappers)
+    {
+      count += mapper->GetLastFrameReconstructions();
+    }
+    return count;
+  }
+};
+
+/// Every tenth point of a ball, from one on; the radii are those of the whole.
+vtkSmartPointer<vtkPolyData> GetPart(vtkPolyData* ball, int first, int step)
+{
+  auto part = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  part->GetPointData()->CopyAllocate(ball->GetPointData());
+  for (vtkIdType i = first; i < ball->GetNumberOfPoints(); i += step)
+  {
+    part->GetPointData()->CopyData(
+      ball->GetPointData(), i, points->InsertNextPoint(ball->GetPoint(i)));
+  }
+  part->SetPoints(points);
+  return part;
+}
+
+vtkSmartPointer<vtkPolyData> MakeBall()
+{
+  auto ball = MakeSphereCloud(NumberOfPoints);
+  vtkNew<vtkFloatArray> height;
+  height->SetName("height");
+  for (vtkIdType i = 0; i < NumberOfPoints; ++i)
+  {
+    height->InsertNextValue(static_cast<float>(ball->GetPoint(i)[1]));
+  }
+  ball->GetPointData()->SetScalars(height);
+  return ball;
+}
+
+/// The clouds' points in one cloud, moved as the clouds are.
+vtkSmartPointer<vtkPolyData> Merge(
+  const std::vector<vtkSmartPointer<vtkPolyData>>& parts, const std::vector<double>& shifts)
+{
+  auto merged = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  merged->GetPointData()->CopyAllocate(parts[0]->GetPointData());
+  for (size_t k = 0; k < parts.size(); ++k)
+  {
+    for (vtkIdType i = 0; i < parts[k]->GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      parts[k]->GetPoint(i, x);
+      merged->GetPointData()->CopyData(
+        parts[k]->GetPointData(), i, points->InsertNextPoint(x[0] + shifts[k], x[1], x[2]));
+    }
+  }
+  merged->SetPoints(points);
+  return merged;
+}
+
+/// The share of pixels that differ by more than two grey levels.
+double GetDifference(const Picture& a, const Picture& b)
+{
+  int different = 0;
+  for (size_t i = 0; i < a.size(); i += 3)
+  {
+    bool differs = false;
+    for (size_t k = i; k < i + 3; ++k)
+    {
+      differs = differs || std::abs(a[k] - b[k]) > 2;
+    }
+    different += differs;
+  }
+  return 3.0 * different / a.size();
+}
+
+void CompareWithMerged(int backend, const std::string& name)
+{
+  const auto ball = MakeBall();
+  std::vector<vtkSmartPointer<vtkPolyData>> parts;
+  std::vector<double> shifts;
+  for (int i = 0; i < NumberOfClouds; ++i)
+  {
+    parts.push_back(GetPart(ball, i, NumberOfClouds));
+    shifts.push_back(i % 2 == 0 ? 0.0 : 0.4);
+  }
+  Scene joint(backend, true);
+  Scene apart(backend, false);
+  Scene merged(backend, false);
+  for (int i = 0; i < NumberOfClouds; ++i)
+  {
+    joint.Add(parts[i]);
+    apart.Add(parts[i]);
+    joint.Actors[i]->SetPosition(shifts[i], 0.0, 0.0);
+    apart.Actors[i]->SetPosition(shifts[i], 0.0, 0.0);
+  }
+  merged.Add(Merge(parts, shifts));
+
+  auto compare = [&](const std::string& what, const std::function<void(Scene&)>& change)
+  {
+    for (Scene* scene : { &joint, &apart, &merged })
+    {
+      change(*scene);
+    }
+    const Picture truth = merged.Render();
+    check.AtMost(GetDifference(joint.Render(), truth), 0.001,
+      name + ", " + what + ": share of pixels that differ from the merged cloud's");
+    check(joint.CountReconstructions() == 1, name + ", " + what + ": one reconstruction");
+    check(joint.Pass->GetLastFrameJointClouds() == NumberOfClouds,
+      name + ", " + what + ": all clouds are joined");
+    return GetDifference(apart.Render(), truth);
+  };
+  const double differenceApart = compare("plain",
+    [](Scene& scene)
+    {
+      for (auto& mapper : scene.Mappers)
+      {
+        mapper->ScalarVisibilityOff();
+      }
+    });
+  check.AtLeast(differenceApart, 0.05, name + ": the same of the clouds without the pass");
+  check(apart.CountReconstructions() == NumberOfClouds, name + ": each by itself without the pass");
+  compare("scalars",
+    [](Scene& scene)
+    {
+      for (auto& mapper : scene.Mappers)
+      {
+        mapper->ScalarVisibilityOn();
+      }
+    });
+  compare("supersampled",
+    [](Scene& scene)
+    {
+      for (auto& mapper : scene.Mappers)
+      {
+        mapper->SetSupersampling(2);
+      }
+    });
+  compare("parallel, culled",
+    [](Scene& scene)
+    {
+      scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+      scene.Renderer->GetActiveCamera()->SetParallelScale(1.5);
+      for (size_t i = 0; i < scene.Mappers.size(); ++i)
+      {
+        scene.Mappers[i]->SetSupersampling(1);
+        scene.Actors[i]->GetProperty()->BackfaceCullingOn();
+      }
+    });
+
+  joint.Render();
+  check(joint.CountReconstructions() == 0, name + ": a still frame reconstructs nothing");
+  joint.Actors[3]->GetProperty()->SetSpecular(0.5);
+  joint.Render();
+  check(joint.CountReconstructions() == 0, name + ": nor does another material");
+  joint.Actors[3]->VisibilityOff();
+  joint.Render();
+  check(joint.CountReconstructions() == 1 &&
+      joint.Pass->GetLastFrameJointClouds() == NumberOfClouds - 1,
+    name + ": a hidden cloud is left out");
+  const Picture before = joint.Render();
+  joint.Renderer->ReleaseGraphicsResources(joint.Window);
+  check(joint.Render() == before, name + ": the same after graphics resources were released");
+}
+
+std::array<int, 3> At(const Picture& picture, int x, int y)
+{
+  const size_t i = 3 * (static_cast<size_t>(y) * Size + x);
+  return { picture[i], picture[i + 1], picture[i + 2] };
+}
+
+/// Two halves of a ball of different colours, one of them a tree, with a mesh, a translucent cloud
+/// and one that is mapped by texture beside them.
+void CheckCompany(int backend, const std::string& name)
+{
+  Scene scene(backend, true);
+  scene.Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 8.0);
+  const auto ball = MakeBall();
+  vtkNew<vtkMultiBlockDataSet> tree;
+  for (unsigned int i = 0; i < 4; ++i)
+  {
+    auto part = GetPart(ball, 2 * static_cast<int>(i), 8);
+    tree->SetBlock(i, part);
+  }
+  scene.Add(tree)->ScalarVisibilityOff();
+  scene.Add(GetPart(ball, 1, 2))->ScalarVisibilityOff();
+  scene.Actors[0]->GetProperty()->SetColor(1.0, 0.0, 0.0);
+  scene.Actors[1]->GetProperty()->SetColor(0.0, 0.0, 1.0);
+  scene.Add(ball)->ScalarVisibilityOff();
+  scene.Actors[2]->SetPosition(-1.6, 0.0, 0.0);
+  scene.Actors[2]->SetScale(0.5);
+  scene.Actors[2]->GetProperty()->SetOpacity(0.5);
+  scene.Add(ball)->InterpolateScalarsBeforeMappingOn();
+  scene.Actors[3]->SetPosition(1.6, 0.0, 0.0);
+  scene.Actors[3]->SetScale(0.5);
+  vtkNew<vtkSphereSource> source;
+  source->SetCenter(0.0, 1.6, 0.0);
+  vtkNew<vtkPolyDataMapper> meshMapper;
+  meshMapper->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkActor> mesh;
+  mesh->SetMapper(meshMapper);
+  scene.Renderer->AddActor(mesh);
+
+  const Picture picture = scene.Render();
+  check(scene.Pass->GetLastFrameJointClouds() == 2, name + ": the two halves are joined");
+  int red = 0;
+  int blue = 0;
+  for (int i = 0; i < Size * Size; ++i)
+  {
+    const auto rgb = At(picture, i % Size, i / Size);
+    red += rgb[0] > 60 && rgb[1] == 0 && rgb[2] == 0;
+    blue += rgb[2] > 60 && rgb[1] == 0 && rgb[0] == 0;
+  }
+  std::cout << name << ": red and blue pixels " << red << ", " << blue << std::endl;
+  check(red > 1000 && blue > 1000 && red < 2 * blue && blue < 2 * red,
+    name + ": each half in its own colour");
+  const double scale = 0.5 * Size / (8.0 * std::tan(vtkMath::RadiansFromDegrees(15.0)));
+  const int far = static_cast<int>(1.6 * scale);
+  const auto background = At(picture, 2, 2);
+  for (const auto& place : std::vector<std::array<int, 2>>{ { -far, 0 }, { far, 0 }, { 0, far } })
+  {
+    check(At(picture, Size / 2 + place[0], Size / 2 + place[1]) != background,
+      name + ": what is beside the joined clouds is drawn");
+  }
+
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Renderer);
+  selector->SetArea(0, 0, Size - 1, Size - 1);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  selector->CaptureBuffers();
+  const unsigned int middle[2] = { Size / 2, Size / 2 };
+  const auto info = selector->GetPixelInformation(middle);
+  check(info.Valid && (info.Prop == scene.Actors[0] || info.Prop == scene.Actors[1]),
+    name + ": clouds of the pass can be selected");
+}
+}
+
+int TestJointSurface(int, char*[])
+{
+  for (int backend : { vtkPullPushMapper::OpenGL, vtkPullPushMapper::CPU })
+  {
+    const std::string name = backend == vtkPullPushMapper::CPU ? "CPU" : "OpenGL";
+    CompareWithMerged(backend, name);
+    CheckCompany(backend, name);
+  }
+  return check.GetResult();
+}
