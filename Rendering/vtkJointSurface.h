@@ -6,7 +6,7 @@
  * Mappers add what they would draw (Begin() to End()); the first of them reconstructs all; then
  * each shades the pixels whose ids are of its own points. Clouds that do not fit are drawn by
  * themselves: those of another class of mapper, another back end, supersampling, eye or clipping
- * planes, or another rim around the viewport.
+ * planes. The widest rim around the viewport that one of them needs is that of all.
  */
 #ifndef vtkJointSurface_h
 #define vtkJointSurface_h
@@ -33,10 +33,13 @@ public:
     vtkIdType NumberOfPoints = 0;
     vtkIdType FirstId = 0; ///< of its points among those of all members
 
-    /// The member's view, over the rectangle and the depths of the joint one.
+    /// The member's view, over the image, the rectangle and the depths of the joint one.
     vtkPointSurfaceView GetView(const vtkPointSurfaceView& joint) const
     {
       vtkPointSurfaceView view = this->View;
+      view.Size = joint.Size;
+      view.VCDC = joint.VCDC;
+      view.Rim = joint.Rim;
       view.Rectangle = joint.Rectangle;
       view.DepthRange = joint.DepthRange;
       return view;

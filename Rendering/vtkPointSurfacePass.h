@@ -13,10 +13,8 @@
  * The clouds are those of actors with a vtkPointSurfaceMapper; the first one's properties say how
  * all are reconstructed. Clouds that do not fit to it are drawn by themselves: those of another
  * class of mapper, or one that has no joint form; of another back end or supersampling; clipped by
- * other planes; with scalars that are mapped by texture, or texture coordinates; in parallel
- * projection, clouds that reach behind the camera's position; and, where clouds go on outside of
- * the viewport, those whose discs reach into it from another distance (in steps of 16 pixels) than
- * the first one's, which is 0 for a cloud that is wholly inside. So are translucent clouds.
+ * other planes; with scalars that are mapped by texture, or texture coordinates; and, in parallel
+ * projection, clouds that reach behind the camera's position. So are translucent clouds.
  *
  * Selection and hardware picking, which VTK's passes know nothing of, work as without passes.
  *
