@@ -10,6 +10,7 @@
 #include "vtkPointData.h"
 #include "vtkPointNormals.h"
 #include "vtkPointSpacing.h"
+#include "vtkProgressRelay.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSamplingDistance.h"
@@ -49,27 +50,12 @@ vtkSmartPointer<vtkFloatArray> AsFloats(vtkDataArray* array)
   return floats;
 }
 
-/// Passes the progress of a filter on, and the wish to abort back.
-class ProgressRelay : public vtkCommand
-{
-public:
-  static ProgressRelay* New() { return new ProgressRelay; }
-  vtkTypeMacro(ProgressRelay, vtkCommand);
-  vtkAlgorithm* To = nullptr;
-  void Execute(vtkObject* from, unsigned long, void*) override
-  {
-    auto* filter = static_cast<vtkAlgorithm*>(from);
-    this->To->UpdateProgress(filter->GetProgress());
-    filter->SetAbortExecute(this->To->GetAbortExecute());
-  }
-};
-
 /// The point data that a filter makes of a cloud, with its progress reported as the caller's.
 vtkPointData* UpdateFor(
   vtkAlgorithm* caller, vtkAlgorithm* filter, vtkPolyData* cloud, const char* what)
 {
-  vtkNew<ProgressRelay> relay;
-  relay->To = caller;
+  vtkNew<vtkProgressRelay> relay;
+  relay->Set(caller, 0.0, 1.0);
   filter->AddObserver(vtkCommand::ProgressEvent, relay);
   filter->SetInputDataObject(cloud);
   caller->SetProgressText(what);
