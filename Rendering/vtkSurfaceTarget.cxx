@@ -187,6 +187,10 @@ std::string vtkSurfaceTarget::GetOutputDeclarations(const std::vector<Layer>& la
     text << "out " << (IsInteger(layers[i]) ? "uint" : "vec4") << " fragOutput" << i << ";\n"
          << "#define " << OutputNames[layers[i]] << " gl_FragData[" << i << "]\n";
   }
+  auto has = [&](Layer layer)
+  { return std::find(layers.begin(), layers.end(), layer) != layers.end(); };
+  text << "#define WRITE_ID(value)" << (has(Id) ? " OUT_ID = value\n" : "\n")
+       << "#define WRITE_COLOR(value)" << (has(Color) ? " OUT_COLOR = value\n" : "\n");
   return text.str();
 }
 

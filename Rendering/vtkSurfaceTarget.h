@@ -86,7 +86,8 @@ public:
 
   /**
    * GLSL: a fragment output for each layer, by the macros OUT_SHAPE, OUT_INTERVAL, OUT_SURFACE,
-   * OUT_ID, OUT_COLOR.
+   * OUT_ID, OUT_COLOR. WRITE_ID(value) and WRITE_COLOR(value) do nothing where there is no such
+   * layer.
    */
   static std::string GetOutputDeclarations(const std::vector<Layer>& layers);
 

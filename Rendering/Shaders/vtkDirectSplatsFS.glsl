@@ -124,10 +124,6 @@ void main()
 #endif
   }
   OUT_SURFACE = surface;
-#ifdef HAS_ID
-  OUT_ID = id;
-#endif
-#ifdef HAS_COLOR
-  OUT_COLOR = color;
-#endif
+  WRITE_ID(id);
+  WRITE_COLOR(color);
 }

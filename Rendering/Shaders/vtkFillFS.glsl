@@ -82,10 +82,6 @@ void main()
   }
 
   OUT_SURFACE = surface;
-#ifdef HAS_ID
-  OUT_ID = id;
-#endif
-#ifdef HAS_COLOR
-  OUT_COLOR = color;
-#endif
+  WRITE_ID(id);
+  WRITE_COLOR(color);
 }

@@ -8,10 +8,6 @@ void main()
 {
   OUT_SHAPE = shape;
   OUT_INTERVAL = interval;
-#ifdef OUT_ID
-  OUT_ID = id;
-#endif
-#ifdef OUT_COLOR
-  OUT_COLOR = color;
-#endif
+  WRITE_ID(id);
+  WRITE_COLOR(color);
 }

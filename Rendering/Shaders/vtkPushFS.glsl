@@ -217,10 +217,6 @@ void main()
   OUT_SHAPE = shape;
   OUT_INTERVAL = interval;
 #endif
-#ifdef HAS_ID
-  OUT_ID = id;
-#endif
-#ifdef HAS_COLOR
-  OUT_COLOR = color;
-#endif
+  WRITE_ID(id);
+  WRITE_COLOR(color);
 }
