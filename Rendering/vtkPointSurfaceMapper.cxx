@@ -261,6 +261,16 @@ bool IsSoftwareRasterizer()
   }
   return false;
 }
+
+/// Lets nothing be queued together with a query of the time. Software works through its queue tile
+/// by tile, takes the time in each tile anew, and tells that of the last one.
+void FlushQuery()
+{
+  if (IsSoftwareRasterizer())
+  {
+    glFlush();
+  }
+}
 }
 
 void vtkPointSurfaceMapper::ChooseBackend()
@@ -482,6 +492,7 @@ void vtkPointSurfaceMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
     this->CountBytesUploaded();
   }
   this->TimerQuery->ReusableStart();
+  FlushQuery();
 
   this->Internals->Current = nullptr;
   const std::vector<vtkPointBlockGroup> groups = this->GetBlockGroups(renderer, actor);
@@ -500,6 +511,7 @@ void vtkPointSurfaceMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
   // of an earlier frame, so that none waits; VTK measures it for cells alone, and actors with
   // levels of detail go by it
   this->TimerQuery->ReusableStop();
+  FlushQuery();
   this->TimeToDraw = std::max<double>(this->TimerQuery->GetReusableElapsedSeconds(), 1e-4);
   const std::string errors = TakeOpenGLErrors();
   if (!errors.empty())
@@ -555,6 +567,7 @@ void vtkPointSurfaceMapper::DrawBlocks(
     this->FindOrMakeSurfaceBuffer(renderer, view);
   }
   this->Internals->Timers[Shade].Start();
+  FlushQuery();
   this->ShadeSurfaceBuffer(renderer, actor);
   this->Internals->Timers[Shade].Stop();
 }
