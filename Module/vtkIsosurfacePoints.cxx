@@ -267,14 +267,14 @@ struct Output
 
 //------------------------------------------------------------------------------
 // Cells, worked on together, a lane each. Bit a of a corner: the upper one along axis a.
-constexpr int CellsAtOnce = 16;
+constexpr int Lanes = 16;
 
 template <typename Real>
 struct Cells
 {
-  Real Corner[8][CellsAtOnce]; // values less the isovalue
-  float Centre[3][CellsAtOnce];
-  float* Target[CellsAtOnce]; // where the centre goes
+  Real Corner[8][Lanes]; // values less the isovalue
+  float Centre[3][Lanes];
+  float* Target[Lanes]; // where the centre goes
   int Count = 0;
 };
 
@@ -284,7 +284,7 @@ template <typename Real>
 VTK_POINT_SURFACE_INLINE void FindMeans(Cells<Real>& cells, const float (&axes)[3][3])
 {
   VTK_POINT_SURFACE_INDEPENDENT
-  for (int i = 0; i < CellsAtOnce; ++i)
+  for (int i = 0; i < Lanes; ++i)
   {
     Real sum[3] = { 0, 0, 0 }; // in steps along the axes
     Real count = 0;
@@ -334,6 +334,107 @@ void FindCentres(Cells<double>& cells, const float (&axes)[3][3])
 }
 
 //------------------------------------------------------------------------------
+// What a step along an edge is in the output.
+template <typename Real>
+struct EdgeFrame
+{
+  float Along[3];              // the edge, in relative lengths
+  float SideOffset[4][3];      // to the four cells that share the edge
+  Real GradientToNormal[3][3]; // from differences a step
+};
+
+// Crossings along one axis, worked on together, a lane each.
+template <typename Real>
+struct Edges
+{
+  float T[Lanes];
+  Real Gradient[2][3][Lanes]; // at the ends of the edge, in differences a step
+  float Centre[4][3][Lanes];  // of the cells that share the edge
+  float Normal[3][Lanes];
+  bool HasNormal[Lanes]; // or is the gradient's square out of bounds?
+  float Radius[Lanes];   // relative
+  int Count = 0;
+};
+
+// Squares beyond these bounds have overflowed or lost digits.
+template <typename Real>
+VTK_POINT_SURFACE_INLINE bool IsSafeSquare(Real square)
+{
+  constexpr Real tiny = std::numeric_limits<Real>::min() / std::numeric_limits<Real>::epsilon();
+  return (square > tiny) & (square < Real(1) / tiny);
+}
+
+template <typename Real>
+VTK_POINT_SURFACE_INLINE void FindNormals(Edges<Real>& edges, const EdgeFrame<Real>& frame)
+{
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int i = 0; i < Lanes; ++i)
+  {
+    Real g[3], n[3];
+    VTK_POINT_SURFACE_UNROLL
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Real first = edges.Gradient[0][axis][i];
+      g[axis] = first + edges.T[i] * (edges.Gradient[1][axis][i] - first);
+    }
+    Real square = 0;
+    VTK_POINT_SURFACE_UNROLL
+    for (int c = 0; c < 3; ++c)
+    {
+      n[c] = g[0] * frame.GradientToNormal[0][c] + g[1] * frame.GradientToNormal[1][c] +
+        g[2] * frame.GradientToNormal[2][c];
+      square += n[c] * n[c];
+    }
+    edges.HasNormal[i] = IsSafeSquare(square);
+    const Real scale = Real(1) / std::sqrt(square);
+    VTK_POINT_SURFACE_UNROLL
+    for (int c = 0; c < 3; ++c)
+    {
+      edges.Normal[c][i] = static_cast<float>(scale * n[c]);
+    }
+  }
+}
+
+// A radius is the largest distance from a crossing to the centres of the cells that share its edge.
+template <typename Real>
+VTK_POINT_SURFACE_INLINE void FindRadii(Edges<Real>& edges, const EdgeFrame<Real>& frame)
+{
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int i = 0; i < Lanes; ++i)
+  {
+    float largest = 0.0f;
+    VTK_POINT_SURFACE_UNROLL
+    for (int side = 0; side < 4; ++side)
+    {
+      float distance2 = 0.0f;
+      VTK_POINT_SURFACE_UNROLL
+      for (int c = 0; c < 3; ++c)
+      {
+        const float d =
+          edges.T[i] * frame.Along[c] + frame.SideOffset[side][c] - edges.Centre[side][c][i];
+        distance2 += d * d;
+      }
+      largest = distance2 > largest ? distance2 : largest;
+    }
+    edges.Radius[i] = std::sqrt(largest);
+  }
+}
+
+VTK_POINT_SURFACE_CLONES
+void FindPoints(Edges<float>& edges, const EdgeFrame<float>& frame)
+{
+  FindNormals(edges, frame);
+  FindRadii(edges, frame);
+}
+
+VTK_POINT_SURFACE_CLONES
+void FindPoints(Edges<double>& edges, const EdgeFrame<double>& frame)
+{
+  FindNormals(edges, frame);
+  FindRadii(edges, frame);
+}
+
+//------------------------------------------------------------------------------
 // Samples isosurfaces of one array, one isovalue after the other, in three threaded passes over
 // slices: mark the voxels inside, count the points of each row, write them. Threads share nothing
 // that they write, and what a row gives depends on the data alone.
@@ -359,14 +460,19 @@ public:
       for (int c = 0; c < 3; ++c)
       {
         this->RelativeAxes[axis][c] = static_cast<float>(grid.RelativeAxes[axis][c]);
+        EdgeFrame<Real>& frame = this->Frames[axis];
+        frame.Along[c] = this->RelativeAxes[axis][c];
         for (int side = 0; side < 4; ++side)
         {
-          this->SideOffset[axis][side][c] =
+          frame.SideOffset[side][c] =
             static_cast<float>((side & 1) * grid.RelativeAxes[(axis + 1) % 3][c] +
               (side >> 1) * grid.RelativeAxes[(axis + 2) % 3][c]);
         }
-        this->GradientToNormal[axis][c] =
-          static_cast<Real>((flipNormals ? 1.0 : -1.0) * grid.RelativeInverse[axis][c]);
+        for (int from = 0; from < 3; ++from)
+        {
+          frame.GradientToNormal[from][c] =
+            static_cast<Real>((flipNormals ? 1.0 : -1.0) * grid.RelativeInverse[from][c]);
+        }
       }
     }
   }
@@ -387,6 +493,14 @@ private:
     Word Axis[3];
   };
 
+  // Points that wait until their lanes are full.
+  struct PendingEdges : Edges<Real>
+  {
+    Crossing Of[Lanes];
+    const T* Value[Lanes]; // of the edge's first voxel
+    vtkIdType Id[Lanes];
+  };
+
   // The centres of the cells below and above a slice of voxels.
   struct CellSlices
   {
@@ -399,8 +513,7 @@ private:
   Output& Out;
   bool FlipNormals;
   float RelativeAxes[3][3];
-  float SideOffset[3][4][3]; // to the four cells that share an edge along an axis
-  Real GradientToNormal[3][3];
+  EdgeFrame<Real> Frames[3]; // of the edges along each axis
   int RowWords;
   std::vector<Word> Inside; // rows of RowWords words and one empty one
   std::vector<Word> Finite; // likewise; empty until a crossing meets one that is not
@@ -436,10 +549,15 @@ private:
   void MarkFinite();
   void CountRows(int k);
   void WriteSlices(int begin, int end);
-  void WriteRow(int j, int k, const CellSlices& centres) const;
+  void WriteRow(int j, int k, const CellSlices& centres, PendingEdges (&edges)[3]) const;
   template <int Axis>
-  void WritePoint(vtkIdType& id, Crossing& crossing, const T* value, const Real gradient[3],
-    const CellSlices& centres) const;
+  void TakePoint(vtkIdType& id, Crossing& crossing, const T* value, bool isInner,
+    const CellSlices& centres, PendingEdges& edges) const;
+  template <int Axis>
+  void DeferPoint(vtkIdType id, const Crossing& crossing, const T* value, const CellSlices& centres,
+    PendingEdges& edges) const;
+  void FlushEdges(PendingEdges& edges) const;
+  void WritePoint(vtkIdType id, const Crossing& crossing, const T* value, double radius) const;
 
   Crossings RowCrossings(int j, int k, int w) const;
   bool IsCrossed(const int voxel[3], int axis) const;
@@ -450,10 +568,7 @@ private:
   int FindCoincident(const Crossing& crossing, Crossing* coincident, int limit) const;
   bool IsWritten(const Crossing& crossing) const;
   Real Difference(const T* value, int index, int axis) const;
-  void Gradient(const T* value, const int ijk[3], Real gradient[3]) const;
-  template <int Axis>
-  void Normal(
-    const Crossing& crossing, const T* value, const Real gradient[3], float normal[3]) const;
+  void Normal(const Crossing& crossing, const T* value, float normal[3]) const;
   void CellCentres(int k, float* centres) const;
   void FlushCells(Cells<Real>& cells) const;
   template <int Axis>
@@ -726,7 +841,8 @@ bool Sampler<T>::IsWritten(const Crossing& crossing) const
 }
 
 //------------------------------------------------------------------------------
-// Central where both neighbours are there and finite.
+// A gradient's component, in differences a step of the grid. Central where both neighbours are
+// there and finite.
 template <typename T>
 typename Sampler<T>::Real Sampler<T>::Difference(const T* value, int index, int axis) const
 {
@@ -741,34 +857,6 @@ typename Sampler<T>::Real Sampler<T>::Difference(const T* value, int index, int 
     return std::isfinite(upper) ? upper - here : std::isfinite(lower) ? here - lower : Real(0);
   }
   return difference;
-}
-
-//------------------------------------------------------------------------------
-// In differences a step of the grid, not yet physical.
-template <typename T>
-void Sampler<T>::Gradient(const T* value, const int ijk[3], Real gradient[3]) const
-{
-  const int* dims = this->G.Dims;
-  if (ijk[0] > 0 && ijk[1] > 0 && ijk[2] > 0 && ijk[0] + 1 < dims[0] && ijk[1] + 1 < dims[1] &&
-    ijk[2] + 1 < dims[2])
-  {
-    Real sum = 0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const vtkIdType step = this->G.Step[axis];
-      gradient[axis] =
-        Real(0.5) * (static_cast<Real>(value[step]) - static_cast<Real>(value[-step]));
-      sum += gradient[axis];
-    }
-    if (!std::is_floating_point<T>::value || std::isfinite(sum))
-    {
-      return;
-    }
-  }
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    gradient[axis] = this->Difference(value, ijk[axis], axis);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -795,7 +883,7 @@ void Sampler<T>::CellCentres(int k, float* centres) const
   const int cells = this->G.Dims[0] - 1;
   const Real isovalue = static_cast<Real>(this->Isovalue);
   Cells<Real> batch;
-  std::fill_n(&batch.Corner[0][0], 8 * CellsAtOnce, Real(0));
+  std::fill_n(&batch.Corner[0][0], 8 * Lanes, Real(0));
   for (int j = 0; j + 1 < this->G.Dims[1]; ++j, centres += 3 * cells)
   {
     const Word* rows[4] = { this->InsideRow(j, k), this->InsideRow(j + 1, k),
@@ -818,7 +906,7 @@ void Sampler<T>::CellCentres(int k, float* centres) const
           batch.Corner[c][batch.Count] = static_cast<Real>(values[i + offset]) - isovalue;
         }
         batch.Target[batch.Count] = centres + 3 * i;
-        if (++batch.Count == CellsAtOnce)
+        if (++batch.Count == Lanes)
         {
           this->FlushCells(batch);
         }
@@ -836,6 +924,7 @@ double Sampler<T>::Radius(const Crossing& crossing, int k, const CellSlices& cen
 {
   constexpr int B = (Axis + 1) % 3;
   constexpr int C = (Axis + 2) % 3;
+  const EdgeFrame<Real>& frame = this->Frames[Axis];
   const float t = static_cast<float>(crossing.T);
   float largest = 0.0f;
   for (int side = 0; side < 4; ++side)
@@ -853,7 +942,7 @@ double Sampler<T>::Radius(const Crossing& crossing, int k, const CellSlices& cen
     float distance2 = 0.0f;
     for (int c = 0; c < 3; ++c)
     {
-      const float d = t * this->RelativeAxes[Axis][c] + this->SideOffset[Axis][side][c] - centre[c];
+      const float d = t * frame.Along[c] + frame.SideOffset[side][c] - centre[c];
       distance2 += d * d;
     }
     largest = std::max(largest, distance2);
@@ -886,9 +975,7 @@ template <typename Real>
 bool Normalize(Real v[3])
 {
   Real length2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-  // Beyond these bounds squares have overflowed or lost digits.
-  const Real tiny = std::numeric_limits<Real>::min() / std::numeric_limits<Real>::epsilon();
-  if (!(length2 > tiny && length2 < Real(1) / tiny))
+  if (!IsSafeSquare(length2))
   {
     const Real largest = std::max({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
     if (!(largest > 0) || !std::isfinite(largest))
@@ -911,31 +998,31 @@ bool Normalize(Real v[3])
 
 //------------------------------------------------------------------------------
 template <typename T>
-template <int Axis>
-void Sampler<T>::Normal(
-  const Crossing& crossing, const T* value, const Real gradient[3], float normal[3]) const
+void Sampler<T>::Normal(const Crossing& crossing, const T* value, float normal[3]) const
 {
-  const int next[3] = { crossing.Voxel[0] + (Axis == 0), crossing.Voxel[1] + (Axis == 1),
-    crossing.Voxel[2] + (Axis == 2) };
-  Real g[3];
-  this->Gradient(value + this->G.Step[Axis], next, g);
+  const EdgeFrame<Real>& frame = this->Frames[crossing.Axis];
+  int next[3] = { crossing.Voxel[0], crossing.Voxel[1], crossing.Voxel[2] };
+  ++next[crossing.Axis];
+  const T* nextValue = value + this->G.Step[crossing.Axis];
   const Real t = static_cast<Real>(crossing.T);
+  Real g[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    g[axis] = gradient[axis] + t * (g[axis] - gradient[axis]);
+    const Real first = this->Difference(value, crossing.Voxel[axis], axis);
+    g[axis] = first + t * (this->Difference(nextValue, next[axis], axis) - first);
   }
   Real n[3];
   for (int c = 0; c < 3; ++c)
   {
-    n[c] = g[0] * this->GradientToNormal[0][c] + g[1] * this->GradientToNormal[1][c] +
-      g[2] * this->GradientToNormal[2][c];
+    n[c] = g[0] * frame.GradientToNormal[0][c] + g[1] * frame.GradientToNormal[1][c] +
+      g[2] * frame.GradientToNormal[2][c];
   }
   if (!Normalize(n))
   {
     const bool insideFirst = static_cast<double>(*value) >= this->Isovalue;
     for (int c = 0; c < 3; ++c)
     {
-      n[c] = (insideFirst == this->FlipNormals ? -1 : 1) * this->RelativeAxes[Axis][c];
+      n[c] = (insideFirst == this->FlipNormals ? -1 : 1) * frame.Along[c];
     }
     Normalize(n);
   }
@@ -943,30 +1030,13 @@ void Sampler<T>::Normal(
 }
 
 //------------------------------------------------------------------------------
-// Writes the point on the edge from a voxel, if it is to be written, and counts it.
+// What a lane does not compute of a point.
 template <typename T>
-template <int Axis>
-void Sampler<T>::WritePoint(vtkIdType& id, Crossing& crossing, const T* value,
-  const Real gradient[3], const CellSlices& centres) const
+void Sampler<T>::WritePoint(
+  vtkIdType id, const Crossing& crossing, const T* value, double radius) const
 {
-  crossing.Axis = Axis;
-  crossing.T = this->Interpolate(value, Axis);
-  double radius;
-  if (!this->IsNearVoxel(crossing))
-  {
-    radius = this->Radius<Axis>(crossing, crossing.Voxel[2], centres);
-  }
-  else if (this->IsWritten(crossing))
-  {
-    radius = this->CoincidentRadius(crossing, centres);
-  }
-  else
-  {
-    return;
-  }
   double x[3];
   this->Position(crossing, x);
-  this->Normal<Axis>(crossing, value, gradient, this->Out.Normal + 3 * id);
   for (int c = 0; c < 3; ++c)
   {
     if (this->Out.FloatPoint)
@@ -986,14 +1056,114 @@ void Sampler<T>::WritePoint(vtkIdType& id, Crossing& crossing, const T* value,
   if (this->Out.Attributes)
   {
     const vtkIdType voxel = value - this->Values;
-    this->Out.Attributes->InterpolateEdge(voxel, voxel + this->G.Step[Axis], crossing.T, id);
+    this->Out.Attributes->InterpolateEdge(
+      voxel, voxel + this->G.Step[crossing.Axis], crossing.T, id);
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+void Sampler<T>::FlushEdges(PendingEdges& edges) const
+{
+  if (edges.Count == 0)
+  {
+    return;
+  }
+  FindPoints(edges, this->Frames[edges.Of[0].Axis]);
+  for (int i = 0; i < edges.Count; ++i)
+  {
+    float* normal = this->Out.Normal + 3 * edges.Id[i];
+    if (edges.HasNormal[i])
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        normal[c] = edges.Normal[c][i];
+      }
+    }
+    else
+    {
+      this->Normal(edges.Of[i], edges.Value[i], normal);
+    }
+    this->WritePoint(edges.Id[i], edges.Of[i], edges.Value[i], this->G.Scale * edges.Radius[i]);
+  }
+  edges.Count = 0;
+}
+
+//------------------------------------------------------------------------------
+// Leaves a point to the next lane of its axis. All neighbours of the edge's voxels are in the grid.
+template <typename T>
+template <int Axis>
+void Sampler<T>::DeferPoint(vtkIdType id, const Crossing& crossing, const T* value,
+  const CellSlices& centres, PendingEdges& edges) const
+{
+  const int i = edges.Count;
+  edges.Of[i] = crossing;
+  edges.Value[i] = value;
+  edges.Id[i] = id;
+  edges.T[i] = static_cast<float>(crossing.T);
+  for (int end = 0; end < 2; ++end)
+  {
+    const T* here = value + end * this->G.Step[Axis];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const vtkIdType step = this->G.Step[axis];
+      edges.Gradient[end][axis][i] =
+        Real(0.5) * (static_cast<Real>(here[step]) - static_cast<Real>(here[-step]));
+    }
+  }
+  const vtkIdType cellRow = this->G.Dims[0] - 1;
+  const vtkIdType first = crossing.Voxel[0] + crossing.Voxel[1] * cellRow;
+  constexpr int B = (Axis + 1) % 3;
+  constexpr int C = (Axis + 2) % 3;
+  for (int side = 0; side < 4; ++side)
+  {
+    const int back[3] = { (B == 0 && (side & 1)) || (C == 0 && (side >> 1)),
+      (B == 1 && (side & 1)) || (C == 1 && (side >> 1)),
+      (B == 2 && (side & 1)) || (C == 2 && (side >> 1)) };
+    const float* centre =
+      (back[2] ? centres.Below : centres.Above) + 3 * (first - back[0] - back[1] * cellRow);
+    for (int c = 0; c < 3; ++c)
+    {
+      edges.Centre[side][c][i] = centre[c];
+    }
+  }
+  if (++edges.Count == Lanes)
+  {
+    this->FlushEdges(edges);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Takes the point on the edge from a voxel, if it is to be written, and counts it.
+template <typename T>
+template <int Axis>
+void Sampler<T>::TakePoint(vtkIdType& id, Crossing& crossing, const T* value, bool isInner,
+  const CellSlices& centres, PendingEdges& edges) const
+{
+  crossing.Axis = Axis;
+  crossing.T = this->Interpolate(value, Axis);
+  const bool isNear = this->IsNearVoxel(crossing);
+  if (isInner && !isNear)
+  {
+    this->DeferPoint<Axis>(id, crossing, value, centres, edges);
+  }
+  else if (!isNear || this->IsWritten(crossing))
+  {
+    this->Normal(crossing, value, this->Out.Normal + 3 * id);
+    this->WritePoint(id, crossing, value,
+      isNear ? this->CoincidentRadius(crossing, centres)
+             : this->Radius<Axis>(crossing, crossing.Voxel[2], centres));
+  }
+  else
+  {
+    return;
   }
   ++id;
 }
 
 //------------------------------------------------------------------------------
 template <typename T>
-void Sampler<T>::WriteRow(int j, int k, const CellSlices& centres) const
+void Sampler<T>::WriteRow(int j, int k, const CellSlices& centres, PendingEdges (&edges)[3]) const
 {
   const vtkIdType row = this->Row(j, k);
   vtkIdType id = this->RowStart[row];
@@ -1001,6 +1171,7 @@ void Sampler<T>::WriteRow(int j, int k, const CellSlices& centres) const
   {
     return;
   }
+  const bool isInnerRow = j > 0 && j + 2 < this->G.Dims[1] && k > 0 && k + 2 < this->G.Dims[2];
   for (int w = 0; w < this->RowWords; ++w)
   {
     const Crossings crossings = this->RowCrossings(j, k, w);
@@ -1008,21 +1179,21 @@ void Sampler<T>::WriteRow(int j, int k, const CellSlices& centres) const
     for (; bits; bits &= bits - 1)
     {
       const int bit = LowestBit(bits);
-      Crossing crossing = { { w * WordBits + bit, j, k }, 0, 0.0 };
-      const T* value = this->Values + row * this->G.Step[1] + crossing.Voxel[0];
-      Real gradient[3];
-      this->Gradient(value, crossing.Voxel, gradient);
+      const int i = w * WordBits + bit;
+      Crossing crossing = { { i, j, k }, 0, 0.0 };
+      const T* value = this->Values + row * this->G.Step[1] + i;
+      const bool isInner = isInnerRow && i > 0 && i + 2 < this->G.Dims[0];
       if ((crossings.Axis[0] >> bit) & 1)
       {
-        this->WritePoint<0>(id, crossing, value, gradient, centres);
+        this->TakePoint<0>(id, crossing, value, isInner, centres, edges[0]);
       }
       if ((crossings.Axis[1] >> bit) & 1)
       {
-        this->WritePoint<1>(id, crossing, value, gradient, centres);
+        this->TakePoint<1>(id, crossing, value, isInner, centres, edges[1]);
       }
       if ((crossings.Axis[2] >> bit) & 1)
       {
-        this->WritePoint<2>(id, crossing, value, gradient, centres);
+        this->TakePoint<2>(id, crossing, value, isInner, centres, edges[2]);
       }
     }
   }
@@ -1041,6 +1212,7 @@ void Sampler<T>::WriteSlices(int begin, int end)
   {
     this->CellCentres(begin - 1, below);
   }
+  PendingEdges edges[3] = {};
   for (int k = begin; k < end; ++k, std::swap(below, above))
   {
     if (k + 1 < this->G.Dims[2])
@@ -1049,8 +1221,12 @@ void Sampler<T>::WriteSlices(int begin, int end)
     }
     for (int j = 0; j < this->G.Dims[1]; ++j)
     {
-      this->WriteRow(j, k, CellSlices{ below, above });
+      this->WriteRow(j, k, CellSlices{ below, above }, edges);
     }
+  }
+  for (PendingEdges& axis : edges)
+  {
+    this->FlushEdges(axis);
   }
 }
 
