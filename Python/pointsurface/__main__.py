@@ -4,8 +4,8 @@
 import argparse
 import sys
 
-from . import demo, info, render
-from .readers import UnreadableFile
+from . import convert, demo, info, render
+from .errors import WrongUse
 
 WRONG_USE = 2
 INTERRUPTED = 130
@@ -24,6 +24,7 @@ def main():
     for name, command, explanation in (
         ("render", render, "draw a file's points into a picture"),
         ("info", info, "tell what a file holds"),
+        ("convert", convert, "write a file's points, with normals, radii or as splats"),
         ("demo", demo, "draw a file from points, and its mesh beside it"),
     ):
         command_parser = commands.add_parser(name, help=explanation, description=command.__doc__)
@@ -32,7 +33,7 @@ def main():
     arguments = parser.parse_args()
     try:
         arguments.run(arguments)
-    except UnreadableFile as error:
+    except WrongUse as error:
         print(f"{parser.prog}: {error}", file=sys.stderr)
         return WRONG_USE
     except OSError as error:  # of the folder or files that are written

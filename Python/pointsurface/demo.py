@@ -9,10 +9,13 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkRenderer
 
 from . import vtkPullPushMapper
+from .errors import WrongUse
 from .metrics import SurfaceImage, compare
-from .readers import UnreadableFile
+from .options import add_isovalue, add_size
+from .progress import announce
 from .rendering import offscreen_window, read_color, renderer_string, write_png
-from .subjects import ISOSURFACE_RADIUS_SCALE, announce, isovalue_argument, load, make_scene, size_argument
+from .scene import make_scene
+from .subjects import ISOSURFACE_RADIUS_SCALE, load
 from .timing import time_frames
 from .truth import render_truth
 
@@ -23,15 +26,15 @@ DIFFERENCE_GAIN = 4
 def add_arguments(parser):
     """The demo's part of the command line."""
     parser.add_argument("file", nargs="?", help="volume, mesh or points; default: the MR head of Debian's mricron-data")
-    parser.add_argument("--isovalue", type=isovalue_argument, metavar="V", help="of a volume; default: Otsu's threshold")
-    parser.add_argument("--size", type=size_argument, default=(800, 600), metavar="WxH", help="pixels; default: 800x600")
+    add_isovalue(parser)
+    add_size(parser)
     parser.add_argument(
         "--output", default="pointsurface-demo", metavar="DIR", help="folder of the pictures; default: %(default)s"
     )
 
 
 def run(arguments):
-    """Writes the pictures and prints the table. Raises UnreadableFile or OSError with a line for the user."""
+    """Writes the pictures and prints the table. Raises WrongUse or OSError with a line for the user."""
     subject = load(arguments.file, arguments.isovalue)
     if subject.remark:
         print(subject.remark)
@@ -70,7 +73,7 @@ def run(arguments):
 def _surface_image(color, mapper):
     buffer = vtkImageData()
     if not mapper.ReadSurfaceBuffer(buffer):
-        raise UnreadableFile("nothing has been drawn, so that there is nothing to measure")
+        raise WrongUse("nothing has been drawn, so that there is nothing to measure")
     width, height, _ = buffer.GetDimensions()
     data = buffer.GetPointData()
     normals = vtk_to_numpy(data.GetArray("Normals")).reshape(height, width, 3)

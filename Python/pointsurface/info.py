@@ -5,19 +5,19 @@ import json
 
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
+from .options import add_json
 from .readers import read
-from .subjects import watch
 
 
 def add_arguments(parser):
     """The command's part of the command line."""
     parser.add_argument("file", help="volume, mesh or points")
-    parser.add_argument("--json", action="store_true", help="as JSON")
+    add_json(parser)
 
 
 def run(arguments):
     """Prints the content. Raises UnreadableFile with a line for the user."""
-    content = describe(read(arguments.file, watch(f"reading {arguments.file}")))
+    content = describe(read(arguments.file, tell=True))
     if arguments.json:
         print(json.dumps(content))
         return

@@ -6,22 +6,26 @@ import re
 import subprocess
 import sys
 import warnings
+from contextlib import nullcontext
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkPoints, vtkStringOutputWindow
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
 from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkNIFTIImageReader, vtkNrrdReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
 
+from .errors import WrongUse, complaints
+from .progress import followed
 
-class UnreadableFile(Exception):
+
+class UnreadableFile(WrongUse):
     """A file that cannot be opened as a volume or as points; its text is one line that says why."""
 
 
-def read(path, progress=None):
+def read(path, tell=False):
     """The content of a file: vtkImageData for a volume, vtkPolyData for points or a mesh.
 
     By extension: vti, mhd, mha, nhdr, nrrd, nii, nii.gz (volumes, with one component of active scalars);
@@ -29,7 +33,7 @@ def read(path, progress=None):
     points' size and never their colour, so it is not left as the active scalars);
     xyz (text, one point a line: x y z, or x y z nx ny nz, or x y z r g b with colours of 0 to 255; blanks or commas
     between the numbers; comments start with # or //).
-    progress: called with 0 to 1 while VTK reads.
+    tell: show on standard error how far VTK is, where that takes over a second, and let Ctrl-C stop it.
     Raises UnreadableFile for a file that is missing, broken, empty or of an unknown format.
     """
     if os.path.isdir(path):
@@ -50,7 +54,7 @@ def read(path, progress=None):
         _check_ply(path)
     if extension in _NEED_TRIAL:
         _try_reader(_READERS[extension], path)
-    data = _run_reader(_READERS[extension](), path, progress)
+    data = _run_reader(_READERS[extension](), path, tell)
     if isinstance(data, vtkImageData):
         _check_volume(path, data)
     else:
@@ -85,27 +89,14 @@ def _extension(path):
     raise UnreadableFile(f"{path} has an unknown extension; known are {known}")
 
 
-def _run_reader(reader, path, progress):
+def _run_reader(reader, path, tell):
     """The reader's output; whatever VTK has to complain about, from any object below it, raises UnreadableFile."""
-    if progress is not None:
-        reader.AddObserver("ProgressEvent", lambda caller, _: progress(caller.GetProgress()))
-    complaints = vtkStringOutputWindow()
-    usual = vtkOutputWindow.GetInstance()
-    verbosity = vtkLogger.GetCurrentVerbosityCutoff()
-    vtkOutputWindow.SetInstance(complaints)
-    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
-    try:
+    with complaints() as said, followed(reader, f"reading {path}") if tell else nullcontext():
         reader.SetFileName(path)
         reader.Update()
-    finally:
-        vtkOutputWindow.SetInstance(usual)
-        vtkLogger.SetStderrVerbosity(verbosity)
-    # A generic warning tells of a file that ends too early, in the readers of raw data.
-    pattern = r"^(?:ERROR|Generic Warning): In [^\n]*\n(?:\w+ \(0x\w+\): )?(.*?)\s*(?:\n\n|\Z)"
-    errors = re.findall(pattern, complaints.GetOutput(), re.M | re.S)
+    errors = said("ERROR")
     if errors:
-        reason = " ".join(errors[0].split())
-        raise UnreadableFile(f"{path} cannot be read: {reader.GetClassName()} says: {reason}")
+        raise UnreadableFile(f"{path} cannot be read: {reader.GetClassName()} says: {errors[0]}")
     return reader.GetOutput()
 
 

@@ -3,15 +3,18 @@
 
 import argparse
 import json
-import os
 
 from vtkmodules.vtkCommonColor import vtkNamedColors
 from vtkmodules.vtkCommonCore import vtkLookupTable
 
+from .errors import WrongUse
 from .methods import METHODS
-from .readers import UnreadableFile
+from .options import add_json, add_size, add_subject, positive
+from .progress import announce
 from .rendering import offscreen_window, read_color, renderer_string, write_png
-from .subjects import ISOSURFACE_RADIUS_SCALE, announce, isovalue_argument, load, make_scene, size_argument
+from .scene import make_scene
+from .subjects import ISOSURFACE_RADIUS_SCALE, load
+from .writers import check_writable
 
 # Where the camera stands, from the middle of the points, and what is up in its picture.
 VIEWS = {
@@ -27,26 +30,23 @@ VIEWS = {
 
 def add_arguments(parser):
     """The command's part of the command line."""
-    parser.add_argument("file", help="volume, mesh or points")
+    add_subject(parser)
     parser.add_argument("picture", help="the PNG file to write")
     parser.add_argument("--method", choices=METHODS, default="pull-push", help="default: %(default)s")
-    parser.add_argument("--isovalue", type=isovalue_argument, metavar="V", help="of a volume; default: Otsu's threshold")
-    parser.add_argument("--size", type=size_argument, default=(800, 600), metavar="WxH", help="pixels; default: 800x600")
+    add_size(parser)
     parser.add_argument("--view", choices=VIEWS, help="from where; default: as the demo has it")
-    parser.add_argument("--radius", type=_positive, metavar="R", help="of all points, in the units of the file")
-    parser.add_argument("--radius-scale", type=_positive, metavar="S", help="factor on all radii; default: 1")
+    parser.add_argument("--radius", type=positive, metavar="R", help="of all points, in the units of the file")
+    parser.add_argument("--radius-scale", type=positive, metavar="S", help="factor on all radii; default: 1")
     parser.add_argument("--supersampling", type=int, choices=range(1, 5), default=1, help="default: %(default)s")
     parser.add_argument("--scalars", metavar="NAME", help="point array to colour by")
     parser.add_argument("--color", type=_color, metavar="COLOR", help="name or #rrggbb")
     parser.add_argument("--background", type=_color, metavar="COLOR", help="name or #rrggbb")
-    parser.add_argument("--json", action="store_true", help="tell what was drawn as JSON")
+    add_json(parser)
 
 
 def run(arguments):
-    """Writes the picture. Raises UnreadableFile or OSError with a line for the user."""
-    folder = os.path.dirname(os.path.abspath(arguments.picture))
-    if not os.path.isdir(folder):
-        raise UnreadableFile(f"{folder} is no folder, so that {arguments.picture} cannot be written")
+    """Writes the picture. Raises WrongUse or OSError with a line for the user."""
+    check_writable(arguments.picture)
     subject = load(arguments.file, arguments.isovalue)
     if subject.remark:
         announce(subject.remark)
@@ -81,7 +81,7 @@ def _color_by(mapper, data, arguments):
     array = data.GetArray(arguments.scalars)
     if array is None:
         names = ", ".join(data.GetArrayName(i) for i in range(data.GetNumberOfArrays())) or "none"
-        raise UnreadableFile(f'{arguments.file} has no point array "{arguments.scalars}"; it has: {names}')
+        raise WrongUse(f'{arguments.file} has no point array "{arguments.scalars}"; it has: {names}')
     table = vtkLookupTable()
     table.SetHueRange(2 / 3, 0)  # blue is low
     mapper.SetLookupTable(table)
@@ -110,16 +110,6 @@ def _report(subject, mapper, window, arguments):
         },
         "renderer": renderer_string(window),
     }
-
-
-def _positive(text):
-    try:
-        value = float(text)
-    except ValueError:
-        value = 0
-    if not 0 < value < float("inf"):
-        raise argparse.ArgumentTypeError(f"{text} is no number over 0")
-    return value
 
 
 def _color(text):

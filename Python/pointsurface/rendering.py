@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Windows without a screen, and pictures from them as numpy arrays. Row 0 is at the bottom, as in VTK."""
 
-import os
-import tempfile
-
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
+
+from .writers import write_whole
 
 
 def offscreen_window(renderer, size):
@@ -62,17 +61,3 @@ def write_png(path, color):
     writer.SetInputData(image)
     writer.Write()
     write_whole(path, bytes(vtk_to_numpy(writer.GetResult())))
-
-
-def write_whole(path, content):
-    """Writes bytes to a file that appears under its name once it is complete."""
-    folder = os.path.dirname(os.path.abspath(path))
-    with tempfile.NamedTemporaryFile(dir=folder, prefix=os.path.basename(path) + ".", delete=False) as file:
-        try:
-            file.write(content)
-            file.flush()
-            os.chmod(file.name, 0o644)
-            os.replace(file.name, path)
-        except BaseException:
-            os.unlink(file.name)
-            raise

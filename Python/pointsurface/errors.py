@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What can be wrong, in words for a user, and what VTK has to complain about."""
+
+import re
+from contextlib import contextmanager
+
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
+
+
+class WrongUse(Exception):
+    """A file, an array or an option that will not do; its text is one line that says why and what would."""
+
+
+class CannotRender(Exception):
+    """There is no OpenGL, or no display, to draw with; its text is one line that says why and what to do."""
+
+
+@contextmanager
+def complaints():
+    """Keeps what VTK's objects have to say off standard error. Gives a function that returns what they said so far.
+
+    The function's argument is "ERROR" or "Warning"; it returns a list of texts of one line, the same text once. A generic
+    warning counts as an error: the readers of raw data tell so of a file that ends too early.
+    """
+    heard = vtkStringOutputWindow()
+    usual = vtkOutputWindow.GetInstance()
+    verbosity = vtkLogger.GetCurrentVerbosityCutoff()
+    vtkOutputWindow.SetInstance(heard)
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+
+    def of_kind(kind):
+        kinds = r"(?:ERROR|Generic Warning)" if kind == "ERROR" else kind
+        pattern = rf"^{kinds}: In [^\n]*\n(?:\w+ \(0x\w+\): )?(.*?)\s*(?:\n\n|\Z)"
+        texts = re.findall(pattern, heard.GetOutput(), re.M | re.S)
+        return list(dict.fromkeys(" ".join(text.split()) for text in texts))
+
+    try:
+        yield of_kind
+    finally:
+        vtkOutputWindow.SetInstance(usual)
+        vtkLogger.SetStderrVerbosity(verbosity)
