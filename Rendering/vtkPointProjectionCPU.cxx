@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,9 @@ constexpr int BlockSize = 256;
 /// Blocks that one thread goes through in order, and rows that one thread fetches points for.
 constexpr size_t ChunkBlocks = 32;
 constexpr int BandRows = 32;
+
+/// Chunks whose points are listed, before what is listed is added up: the lists stay small.
+constexpr int RoundChunks = 32;
 
 /// Points between the one that is fetched and the one whose memory is asked for.
 constexpr size_t FetchAhead = 12;
@@ -301,15 +305,15 @@ void vtkPointProjectionCPU::Draw(const std::vector<Cloud>& clouds,
   {
     this->Nearest.reset(new std::atomic<std::uint64_t>[size]);
     this->NearestSize = size;
-    vtkSMPTools::For(0, static_cast<vtkIdType>(size),
-      [this](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          this->Nearest[i].store(NoPoint, std::memory_order_relaxed);
-        }
-      });
   }
+  vtkSMPTools::For(0, static_cast<vtkIdType>(size),
+    [this](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        this->Nearest[i].store(NoPoint, std::memory_order_relaxed);
+      }
+    });
   if (nearest)
   {
     this->SetLimits(*nearest, options.DepthTolerance);
@@ -319,11 +323,11 @@ void vtkPointProjectionCPU::Draw(const std::vector<Cloud>& clouds,
   {
     nearest ? this->FindFarthestPoints(part) : this->FindVisiblePoints(part);
   }
+  this->FetchVisiblePoints(parts, options, image);
   if (options.AveragePoints)
   {
-    this->FindCompanions(parts);
+    this->AveragePoints(parts, options, image);
   }
-  this->FetchVisiblePoints(parts, options, image);
 }
 
 //------------------------------------------------------------------------------
@@ -332,8 +336,7 @@ struct vtkPointProjectionCPU::Part
   const Cloud* Source;
   Transform View;
   std::vector<std::array<vtkIdType, 2>>
-    Blocks;       // first and end of runs of points, of one range each
-  int FirstChunk; // of blocks, among those of all parts
+    Blocks; // first and end of runs of points, of one range each
 
   int GetNumberOfChunks() const
   {
@@ -350,9 +353,7 @@ std::vector<vtkPointProjectionCPU::Part> vtkPointProjectionCPU::MakeParts(
   std::vector<Part> parts;
   for (const Cloud& cloud : clouds)
   {
-    const int firstChunk =
-      parts.empty() ? 0 : parts.back().FirstChunk + parts.back().GetNumberOfChunks();
-    parts.push_back({ &cloud, cloud.Projection->GetTransform(cloud.View), {}, firstChunk });
+    parts.push_back({ &cloud, cloud.Projection->GetTransform(cloud.View), {} });
     for (const auto& range : cloud.View.Ranges)
     {
       for (vtkIdType first = range[0]; first < range[1]; first += BlockSize)
@@ -380,15 +381,17 @@ int vtkPointProjectionCPU::GetNumberOfBands(const Transform& transform)
   return (transform.Rectangle[3] + BandRows - 1) / BandRows;
 }
 
-float vtkPointProjectionCPU::GetRadius(size_t id) const
+inline float vtkPointProjectionCPU::GetRadius(size_t id) const
 {
   return this->Radii ? this->Radii[id] : static_cast<float>(this->Points->GetUniformRadius());
 }
 
-/// Calls take(chunk, pixel, depth, id) for the points that fall into the rectangle; those of a
-/// chunk in their order and from one thread.
-template <typename Take>
-void vtkPointProjectionCPU::ForSeenPoints(const Part& part, const Take& take)
+/// Calls take(chunk, pixel, depth, id) for the points of some chunks of a part that fall into the
+/// rectangle and that isWanted(pixel, depth, id) is true of; those of a chunk in their order and
+/// from one thread.
+template <typename IsWanted, typename Take>
+void vtkPointProjectionCPU::ForSeenPoints(
+  const Part& part, int firstChunk, int endChunk, const IsWanted& isWanted, const Take& take)
 {
   const vtkPointProjectionCPU& cloud = *part.Source->Projection;
   const auto firstId = static_cast<unsigned int>(part.Source->FirstId);
@@ -416,22 +419,30 @@ void vtkPointProjectionCPU::ForSeenPoints(const Part& part, const Take& take)
         Load(normals, first, size, cloud.Normals, ids, zero);
       }
       ProjectBlock(positions, normals, size, part.View, pixels, depths);
-      // without a branch that half of the points would take
+      const auto idOf = [ids, first, firstId](int i)
+      { return static_cast<unsigned int>(ids ? ids[first + i] : first + i) + firstId; };
+      // without branches that half of the points would take
       int seen = 0;
       for (int i = 0; i < size; ++i)
       {
         list[seen] = i;
         seen += pixels[i] >= 0 ? 1 : 0;
       }
+      int wanted = 0;
       for (int k = 0; k < seen; ++k)
       {
         const int i = list[k];
-        const auto id = static_cast<unsigned int>(ids ? ids[first + i] : first + i);
-        take(part.FirstChunk + static_cast<int>(chunk), pixels[i], depths[i], id + firstId);
+        list[wanted] = i;
+        wanted += isWanted(pixels[i], depths[i], idOf(i)) ? 1 : 0;
+      }
+      for (int k = 0; k < wanted; ++k)
+      {
+        const int i = list[k];
+        take(static_cast<int>(chunk), pixels[i], depths[i], idOf(i));
       }
     }
   };
-  vtkSMPTools::For(0, part.GetNumberOfChunks(), 1,
+  vtkSMPTools::For(firstChunk, endChunk, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType chunk = begin; chunk < end; ++chunk)
@@ -469,7 +480,10 @@ void KeepLeast(std::atomic<std::uint64_t>& least, std::uint64_t key)
 
 void vtkPointProjectionCPU::FindVisiblePoints(const Part& part)
 {
-  ForSeenPoints(part,
+  ForSeenPoints(
+    part, 0, part.GetNumberOfChunks(),
+    [this](int pixel, float depth, unsigned int id)
+    { return MakeKey(depth, id) < this->Nearest[pixel].load(std::memory_order_relaxed); },
     [this](int, int pixel, float depth, unsigned int id)
     { KeepLeast(this->Nearest[pixel], MakeKey(depth, id)); });
 }
@@ -477,45 +491,11 @@ void vtkPointProjectionCPU::FindVisiblePoints(const Part& part)
 /// The same for the farthest points that are within the limits.
 void vtkPointProjectionCPU::FindFarthestPoints(const Part& part)
 {
-  ForSeenPoints(part,
+  ForSeenPoints(
+    part, 0, part.GetNumberOfChunks(),
+    [this](int pixel, float depth, unsigned int) { return depth <= this->Limits[pixel]; },
     [this](int, int pixel, float depth, unsigned int id)
-    {
-      if (depth <= this->Limits[pixel])
-      {
-        KeepLeast(this->Nearest[pixel], MakeKey(-depth, id));
-      }
-    });
-}
-
-/// Lists what is to be averaged with the nearest points. Sorted by chunk of points and band of
-/// rows, it is written by one thread a chunk and read by one a band, and always in one order.
-void vtkPointProjectionCPU::FindCompanions(const std::vector<Part>& parts)
-{
-  const Transform& view = parts.front().View;
-  const int bands = GetNumberOfBands(view);
-  const unsigned int bandSize = static_cast<unsigned int>(BandRows * view.Rectangle[2]);
-  const int chunks = parts.back().FirstChunk + parts.back().GetNumberOfChunks();
-  this->Companions.resize(static_cast<size_t>(chunks) * bands);
-  for (std::vector<Companion>& companions : this->Companions)
-  {
-    companions.clear();
-  }
-  for (const Part& part : parts)
-  {
-    ForSeenPoints(part,
-      [&](int chunk, int pixel, float depth, unsigned int id)
-      {
-        const std::uint64_t nearest = this->Nearest[pixel].load(std::memory_order_relaxed);
-        const float reach =
-          part.View.RadiusScale * part.Source->Projection->GetRadius(part.GetOwnId(id));
-        if (GetId(nearest) != id && depth <= GetDepth(nearest) + reach)
-        {
-          const auto place = static_cast<unsigned int>(pixel);
-          this->Companions[static_cast<size_t>(chunk) * bands + place / bandSize].push_back(
-            { place, id });
-        }
-      });
-  }
+    { KeepLeast(this->Nearest[pixel], MakeKey(-depth, id)); });
 }
 
 //------------------------------------------------------------------------------
@@ -542,10 +522,6 @@ void vtkPointProjectionCPU::FetchVisiblePoints(
         {
           this->FetchRow(parts, options, y, image);
         }
-        if (options.AveragePoints)
-        {
-          this->AverageBand(parts, options, band, image);
-        }
       }
     });
 }
@@ -556,14 +532,13 @@ void vtkPointProjectionCPU::FetchRow(const std::vector<Part>& parts,
   const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
   image.ClearBlocks(y, image.GetBlockBegin(), image.GetBlockEnd());
   std::vector<std::pair<int, unsigned int>> visible; // columns and ids
-  std::atomic<std::uint64_t>* nearest =
+  const std::atomic<std::uint64_t>* nearest =
     &this->Nearest[static_cast<size_t>(y - r[1]) * (r[2] - r[0])];
   for (int x = r[0]; x < r[2]; ++x, ++nearest)
   {
     const std::uint64_t key = nearest->load(std::memory_order_relaxed);
     if (key != NoPoint)
     {
-      nearest->store(NoPoint, std::memory_order_relaxed);
       visible.emplace_back(x, GetId(key));
     }
   }
@@ -601,9 +576,17 @@ void vtkPointProjectionCPU::FetchRow(const std::vector<Part>& parts,
   }
 }
 
-/// Averages the pixels of a band, which hold their nearest points, with the companions of these.
-void vtkPointProjectionCPU::AverageBand(const std::vector<Part>& parts,
-  const vtkPointProjectionOptions& options, int band, vtkSurfaceImage& image) const
+//------------------------------------------------------------------------------
+/// A point that shares a pixel of the rectangle with a nearer one, within reach of it.
+struct vtkPointProjectionCPU::Companion
+{
+  int X, Y;
+  bool TwoSided; // it is turned as the nearest one is
+  Footprint Point;
+};
+
+/// What the points of a band of rows add up to, in the pixels that have several.
+struct vtkPointProjectionCPU::BandSums
 {
   struct Sum
   {
@@ -612,50 +595,115 @@ void vtkPointProjectionCPU::AverageBand(const std::vector<Part>& parts,
     float Values[vtkSurfaceImage::NumberOfPlanes];
     float Count;
   };
-  std::vector<Sum> sums;
+  std::vector<int> Places; // in Sums, of each pixel of the band; -1 for none
+  std::vector<Sum> Sums;
+};
+
+/// Averages the pixels, which hold their nearest points, with the companions of these. Companions
+/// are listed by chunk of points and band of rows: a list is written by one thread and read by
+/// one, and what is added up is so in one order, whatever the number of threads.
+void vtkPointProjectionCPU::AveragePoints(
+  const std::vector<Part>& parts, const vtkPointProjectionOptions& options, vtkSurfaceImage& image)
+{
+  const int bands = GetNumberOfBands(parts.front().View);
+  this->Sums.resize(bands);
+  this->Companions.resize(static_cast<size_t>(RoundChunks) * bands);
+  const auto forBands = [bands](const std::function<void(int)>& work)
+  {
+    vtkSMPTools::For(0, bands, 1,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType band = begin; band < end; ++band)
+        {
+          work(static_cast<int>(band));
+        }
+      });
+  };
+  const size_t bandSize = static_cast<size_t>(BandRows) * parts.front().View.Rectangle[2];
+  forBands(
+    [&](int band)
+    {
+      this->Sums[band].Sums.clear();
+      this->Sums[band].Places.assign(bandSize, -1);
+    });
+  for (const Part& part : parts)
+  {
+    for (int chunk = 0; chunk < part.GetNumberOfChunks(); chunk += RoundChunks)
+    {
+      this->ListCompanions(part, options, chunk, image.GetRectangle());
+      forBands([&](int band) { this->AddCompanions(band, image); });
+    }
+  }
+  forBands([&](int band) { WriteAverages(this->Sums[band], options, image); });
+}
+
+void vtkPointProjectionCPU::ListCompanions(const Part& part,
+  const vtkPointProjectionOptions& options, int firstChunk, const std::array<int, 4>& rectangle)
+{
+  const int bands = GetNumberOfBands(part.View);
+  const int width = part.View.Rectangle[2];
+  const bool twoSided = part.View.Cull == vtkPointSurfaceView::NoCulling;
+  for (std::vector<Companion>& companions : this->Companions)
+  {
+    companions.clear();
+  }
+  const vtkPointProjectionCPU& cloud = *part.Source->Projection;
+  const float* radii = cloud.Radii;
+  const float scale = part.View.RadiusScale;
+  const float uniform = scale * cloud.GetRadius(0);
+  ForSeenPoints(
+    part, firstChunk, std::min(firstChunk + RoundChunks, part.GetNumberOfChunks()),
+    [&](int pixel, float depth, unsigned int id)
+    {
+      const std::uint64_t nearest = this->Nearest[pixel].load(std::memory_order_relaxed);
+      const float reach = radii ? scale * radii[part.GetOwnId(id)] : uniform;
+      return (GetId(nearest) != id) & (depth <= GetDepth(nearest) + reach);
+    },
+    [&](int chunk, int pixel, float, unsigned int id)
+    {
+      const int row = pixel / width;
+      const int x = rectangle[0] + pixel - row * width;
+      const int y = rectangle[1] + row;
+      this->Companions[(chunk - firstChunk) * bands + row / BandRows].push_back(
+        { x, y, twoSided, GetFootprint(part, options, id, x, y) });
+    });
+}
+
+void vtkPointProjectionCPU::AddCompanions(int band, vtkSurfaceImage& image)
+{
   const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
-  const unsigned int width = static_cast<unsigned int>(r[2] - r[0]);
-  const unsigned int firstPixel = static_cast<unsigned int>(band) * BandRows * width;
-  std::vector<int> places(static_cast<size_t>(BandRows) * width, -1); // in sums
+  const int width = r[2] - r[0];
+  const int firstRow = r[1] + band * BandRows;
   const size_t plane = image.GetPlaneStride();
   const int planes = image.GetNumberOfPlanes();
-  const size_t bands = GetNumberOfBands(parts.front().View);
+  const size_t bands = this->Companions.size() / RoundChunks;
+  BandSums& bandSums = this->Sums[band];
   for (size_t list = band; list < this->Companions.size(); list += bands)
   {
-    const std::vector<Companion>& companions = this->Companions[list];
-    for (size_t i = 0; i < companions.size(); ++i)
+    for (const Companion& companion : this->Companions[list])
     {
-      if (i + FetchAhead < companions.size())
-      {
-        const unsigned int ahead = companions[i + FetchAhead].Id;
-        Prefetch(GetPart(parts, ahead), ahead);
-      }
-      const unsigned int place = companions[i].Pixel;
-      const int x = r[0] + static_cast<int>(place % width);
-      const int y = r[1] + static_cast<int>(place / width);
-      int& index = places[place - firstPixel];
+      int& index = bandSums.Places[(companion.Y - firstRow) * width + companion.X - r[0]];
       if (index < 0)
       {
-        index = static_cast<int>(sums.size());
-        sums.push_back({});
-        Sum& sum = sums.back();
-        sum.X = x;
-        sum.Y = y;
+        index = static_cast<int>(bandSums.Sums.size());
+        bandSums.Sums.push_back({});
+        BandSums::Sum& sum = bandSums.Sums.back();
+        sum.X = companion.X;
+        sum.Y = companion.Y;
         sum.Count = 1.0f;
-        const float* pixel = image.GetRow(y, 0) + x;
+        const float* pixel = image.GetRow(sum.Y, 0) + sum.X;
         for (int k = 0; k < planes; ++k)
         {
           sum.Values[k] = pixel[k * plane];
         }
         std::copy_n(sum.Values, 3, sum.FrontNormal);
       }
-      Sum& sum = sums[index];
-      const Part& part = GetPart(parts, companions[i].Id);
-      const Footprint point = GetFootprint(part, options, companions[i].Id, x, y);
+      BandSums::Sum& sum = bandSums.Sums[index];
+      const Footprint& point = companion.Point;
       const float* n = point.Normal;
       const float alike =
         n[0] * sum.FrontNormal[0] + n[1] * sum.FrontNormal[1] + n[2] * sum.FrontNormal[2];
-      const bool turned = part.View.Cull == vtkPointSurfaceView::NoCulling && alike < 0.0f;
+      const bool turned = companion.TwoSided && alike < 0.0f;
       for (int k = 0; k < 3; ++k)
       {
         sum.Values[k] += turned ? -n[k] : n[k];
@@ -671,10 +719,16 @@ void vtkPointProjectionCPU::AverageBand(const std::vector<Part>& parts,
       sum.Count += 1.0f;
     }
   }
+}
 
-  for (Sum& sum : sums)
+void vtkPointProjectionCPU::WriteAverages(
+  const BandSums& bandSums, const vtkPointProjectionOptions& options, vtkSurfaceImage& image)
+{
+  const size_t plane = image.GetPlaneStride();
+  const int planes = image.GetNumberOfPlanes();
+  for (const BandSums::Sum& sum : bandSums.Sums)
   {
-    float* n = sum.Values;
+    const float* n = sum.Values;
     const float size = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     const bool cancels = size < 1e-6f;
     float* pixel = image.GetRow(sum.Y, 0) + sum.X;
@@ -700,7 +754,8 @@ void vtkPointProjectionCPU::AverageBand(const std::vector<Part>& parts,
   }
 }
 
-void vtkPointProjectionCPU::Prefetch(const Part& part, unsigned int jointId)
+//------------------------------------------------------------------------------
+inline void vtkPointProjectionCPU::Prefetch(const Part& part, unsigned int jointId)
 {
   const vtkPointProjectionCPU& cloud = *part.Source->Projection;
   const size_t id = part.GetOwnId(jointId);
@@ -717,7 +772,7 @@ void vtkPointProjectionCPU::Prefetch(const Part& part, unsigned int jointId)
   }
 }
 
-vtkPointProjectionCPU::Footprint vtkPointProjectionCPU::GetFootprint(
+inline vtkPointProjectionCPU::Footprint vtkPointProjectionCPU::GetFootprint(
   const Part& part, const vtkPointProjectionOptions& options, unsigned int jointId, int x, int y)
 {
   const vtkPointProjectionCPU& cloud = *part.Source->Projection;
@@ -760,7 +815,7 @@ vtkPointProjectionCPU::Footprint vtkPointProjectionCPU::GetFootprint(
   return point;
 }
 
-std::array<float, 3> vtkPointProjectionCPU::GetPosition(size_t id) const
+inline std::array<float, 3> vtkPointProjectionCPU::GetPosition(size_t id) const
 {
   std::array<float, 3> position;
   for (int k = 0; k < 3; ++k)

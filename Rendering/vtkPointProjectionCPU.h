@@ -82,27 +82,29 @@ private:
   struct Footprint;
   /// A cloud that is drawn, as ForSeenPoints() goes through it.
   struct Part;
-  /// A point that shares a pixel of the rectangle with a nearer one.
-  struct Companion
-  {
-    unsigned int Pixel, Id;
-  };
+  struct Companion;
+  struct BandSums;
 
   Transform GetTransform(const vtkPointSurfaceView& view) const;
   static std::vector<Part> MakeParts(const std::vector<Cloud>& clouds);
   static const Part& GetPart(const std::vector<Part>& parts, unsigned int id);
-  template <typename Take>
-  static void ForSeenPoints(const Part& part, const Take& take);
+  template <typename IsWanted, typename Take>
+  static void ForSeenPoints(
+    const Part& part, int firstChunk, int endChunk, const IsWanted& isWanted, const Take& take);
   void SetLimits(vtkSurfaceImage& nearest, float tolerance);
   void FindVisiblePoints(const Part& part);
   void FindFarthestPoints(const Part& part);
-  void FindCompanions(const std::vector<Part>& parts);
   void FetchVisiblePoints(const std::vector<Part>& parts, const vtkPointProjectionOptions& options,
     vtkSurfaceImage& image);
   void FetchRow(const std::vector<Part>& parts, const vtkPointProjectionOptions& options, int y,
     vtkSurfaceImage& image);
-  void AverageBand(const std::vector<Part>& parts, const vtkPointProjectionOptions& options,
-    int band, vtkSurfaceImage& image) const;
+  void AveragePoints(const std::vector<Part>& parts, const vtkPointProjectionOptions& options,
+    vtkSurfaceImage& image);
+  void ListCompanions(const Part& part, const vtkPointProjectionOptions& options, int firstChunk,
+    const std::array<int, 4>& rectangle);
+  void AddCompanions(int band, vtkSurfaceImage& image);
+  static void WriteAverages(
+    const BandSums& bandSums, const vtkPointProjectionOptions& options, vtkSurfaceImage& image);
   static Footprint GetFootprint(
     const Part& part, const vtkPointProjectionOptions& options, unsigned int id, int x, int y);
   static int GetNumberOfBands(const Transform& transform);
@@ -124,12 +126,13 @@ private:
   std::array<double, 3> Origin{}; // of the coordinates that are worked with
 
   // Of each pixel of the rectangle the depth and the id of the nearest point, see
-  // vtkPointProjectionCPU.cxx; all empty between two runs.
+  // vtkPointProjectionCPU.cxx.
   std::unique_ptr<std::atomic<std::uint64_t>[]> Nearest;
   size_t NearestSize = 0;
   std::vector<float> Limits; // of each pixel, the largest depth where the farthest are looked for
-  // For each chunk of points and band of rows, in the order of the points; see FindCompanions().
+  // For each chunk of points of a round and band of rows, in the order of the points.
   std::vector<std::vector<Companion>> Companions;
+  std::vector<BandSums> Sums; // of each band
 };
 
 #endif
