@@ -5,8 +5,9 @@ import argparse
 import sys
 
 from . import convert, demo, info, render
-from .errors import WrongUse
+from .errors import CannotRender, WrongUse
 
+CANNOT_RENDER = 1
 WRONG_USE = 2
 INTERRUPTED = 130
 
@@ -19,7 +20,11 @@ class _Parser(argparse.ArgumentParser):
 
 
 def main():
-    parser = _Parser(prog="pointsurface", description="Point clouds drawn as closed, lit surfaces, with no mesh.")
+    parser = _Parser(
+        prog="pointsurface", description="Point clouds drawn as closed, lit surfaces, with no mesh.",
+        epilog="Exit codes: 0 done; 1 no OpenGL or no display to draw with; 2 a file or an option will not do; "
+        "130 stopped by Ctrl-C, which leaves no half file.",
+    )  # fmt: skip
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     for name, command, explanation in (
         ("render", render, "draw a file's points into a picture"),
@@ -36,6 +41,9 @@ def main():
     except WrongUse as error:
         print(f"{parser.prog}: {error}", file=sys.stderr)
         return WRONG_USE
+    except CannotRender as error:
+        print(f"{parser.prog}: {error}", file=sys.stderr)
+        return CANNOT_RENDER
     except OSError as error:  # of the folder or files that are written
         print(f"{parser.prog}: {error.filename}: {error.strerror}", file=sys.stderr)
         return WRONG_USE

@@ -13,8 +13,8 @@ from .errors import WrongUse
 from .metrics import SurfaceImage, compare
 from .options import add_isovalue, add_size
 from .progress import announce
-from .rendering import offscreen_window, read_color, renderer_string, write_png
-from .scene import make_scene
+from .rendering import read_color, renderer_string, write_png
+from .scene import drawing, make_scene, window_without_screen
 from .subjects import ISOSURFACE_RADIUS_SCALE, load
 from .timing import time_frames
 from .truth import render_truth
@@ -43,12 +43,14 @@ def run(arguments):
     if subject.is_isosurface:
         rows.append(("extract points", f"{subject.extract_milliseconds:.1f} ms"))
 
-    announce("drawing the points")
     mapper = vtkPullPushMapper()
     mapper.SetInputData(subject.points)
     mapper.SetRadiusScale(ISOSURFACE_RADIUS_SCALE if subject.is_isosurface else 1)
     renderer = make_scene(subject, mapper)
-    window = offscreen_window(renderer, arguments.size)
+    window = window_without_screen(renderer, arguments.size)
+    announce("drawing the points")
+    with drawing(mapper):
+        window.Render()
     pictures = {"points": read_color(window)}
     image = _surface_image(pictures["points"], mapper)
     if subject.mesh is not None:

@@ -1,18 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The styles of image-space illustration (Rosenthal and Linsen 2008, section 8), for whatever a renderer draws."""
 
-from vtkmodules.vtkRenderingOpenGL2 import (
-    vtkCameraPass,
-    vtkLightsPass,
-    vtkOpaquePass,
-    vtkOverlayPass,
-    vtkRenderPassCollection,
-    vtkSequencePass,
-    vtkTranslucentPass,
-    vtkVolumetricPass,
-)
-
-from . import vtkFeatureLinePass, vtkSilhouettePass
+from . import passes, vtkFeatureLinePass, vtkSilhouettePass
 
 STYLES = {
     "plain": (),
@@ -33,26 +22,9 @@ def apply(renderer, style, thickness=2.0, color=(0.0, 0.0, 0.0)):
     """
     if style not in STYLES:
         raise ValueError(f'there is no style "{style}"; the styles are {", ".join(STYLES)}')
-    if style == "plain":
-        renderer.SetPass(None)
-        return []
     lines = [make_pass() for make_pass in STYLES[style]]
-    drawn = _sequence(vtkLightsPass(), vtkOpaquePass(), vtkTranslucentPass(), vtkVolumetricPass())
     for line_pass in lines:
         line_pass.SetThickness(thickness)
         line_pass.SetColor(*color)
-        line_pass.SetDelegatePass(drawn)
-        drawn = line_pass
-    camera = vtkCameraPass()
-    camera.SetDelegatePass(_sequence(drawn, vtkOverlayPass()))
-    renderer.SetPass(camera)
+    passes.apply(renderer, lines)
     return lines
-
-
-def _sequence(*passes):
-    collection = vtkRenderPassCollection()
-    for render_pass in passes:
-        collection.AddItem(render_pass)
-    sequence = vtkSequencePass()
-    sequence.SetPasses(collection)
-    return sequence

@@ -7,6 +7,11 @@ from statistics import median
 STAGES = ("Project", "Reconstruct", "Shade")
 
 
+def stage_milliseconds(mapper, stages=STAGES):
+    """What each stage of a vtkPointSurfaceMapper's last frame took, by the stage's name in lower case."""
+    return {stage.lower(): getattr(mapper, f"GetLastFrame{stage}Milliseconds")() for stage in stages}
+
+
 def time_frames(window, renderer, frames=20, warm_up=3, mapper=None, stages=STAGES):
     """Median milliseconds of a frame, until OpenGL has finished it, with a camera that moves before every frame.
 
@@ -19,9 +24,9 @@ def time_frames(window, renderer, frames=20, warm_up=3, mapper=None, stages=STAG
     samples = {"frame": []}
     for _ in range(frames):
         samples["frame"].append(_draw_next_frame(window, renderer))
-        for stage in stages if mapper is not None else ():
-            milliseconds = getattr(mapper, f"GetLastFrame{stage}Milliseconds")()
-            samples.setdefault(stage.lower(), []).append(milliseconds)
+        if mapper is not None:
+            for stage, milliseconds in stage_milliseconds(mapper, stages).items():
+                samples.setdefault(stage, []).append(milliseconds)
     return {name: median(milliseconds) for name, milliseconds in samples.items()}
 
 
