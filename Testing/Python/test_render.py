@@ -253,7 +253,7 @@ def test_every_method_draws_the_surface(half_sphere, tmp_path, method):
 
 def test_passes(half_sphere, tmp_path):
     plain, drawn = tmp_path / "plain.png", tmp_path / "drawn.png"
-    options = ("--size", "60x60", "--view", "right", "--background", "white", "--color", "tan")
+    options = ("--size", "120x120", "--view", "right", "--background", "white", "--color", "tan")
     draw(half_sphere, plain, *options)
     dark = (read_png(plain).max(axis=2) < 60).sum()
     chains = (
