@@ -370,8 +370,7 @@ bool vtkImageSpacePointMapper::ReadProjectedBuffer(vtkImageData* buffer)
     return byCPU ? internals.ProjectedCPU.ReadFloats(layer)
                  : internals.Projected.ReadFloats(window, layer, view.Rectangle);
   };
-  buffer->Initialize();
-  buffer->SetDimensions(view.Size[0], view.Size[1], 1);
+  SetImageExtent(buffer, view.Size[0], view.Size[1], view.Rim * view.Supersampling);
   AddLayer(buffer, readFloats(vtkSurfaceTarget::Shape), "Normals", 0, 3);
   AddLayer(buffer, readFloats(vtkSurfaceTarget::Interval), "Depth", 0, 1);
   if (byCPU ? internals.ProjectedCPU.HasColors() : internals.Projected.Has(vtkSurfaceTarget::Color))

@@ -164,12 +164,14 @@ public:
 
   /**
    * Copies the one-pixel projections that the last surface buffer was made from into `buffer`: an
-   * image of the viewport's size, the origin at its lower left. Point arrays: "Normals" (float, 3
-   * components, eye space), "Depth" (float, distance from the eye along the view direction in world
-   * units, 0 where no point fell), "Colors" (float, 4 components) if the cloud has colours,
-   * "PointIds" (int, -1 where no point fell) if RecordPointIds is on. Field data: "LayerDistance"
-   * (1 double) and "MaximumFills" (2 ints, background and occluded) and "Reach" (2 ints, the pixels
-   * within which KeepOutlines looks for the surface; 0 where it is off), as the frame used them.
+   * image of what the steps worked on: the pixel (0, 0) is the viewport's lower left one (or its
+   * first sample), and where the cloud goes on outside of the viewport, a rim around that, from
+   * which pixels are filled too. Point arrays: "Normals" (float, 3 components, eye space), "Depth"
+   * (float, distance from the eye along the view direction in world units, 0 where no point fell),
+   * "Colors" (float, 4 components) if the cloud has colours, "PointIds" (int, -1 where no point
+   * fell) if RecordPointIds is on. Field data: "LayerDistance" (1 double) and "MaximumFills" (2
+   * ints, background and occluded) and "Reach" (2 ints, the pixels within which KeepOutlines looks
+   * for the surface; 0 where it is off), as the frame used them.
    * Returns false, with an error, when nothing has been rendered yet.
    */
   bool ReadProjectedBuffer(vtkImageData* buffer);
@@ -184,6 +186,7 @@ protected:
   void MakeSurfaceBuffer(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
     vtkSurfaceTarget& surface) override;
   bool HasCPUForm() const override { return true; }
+  bool NeedsRim() const override { return true; }
   void MakeSurfacePixels(
     const vtkPointSurfaceView& view, bool ids, bool colors, vtkSurfacePixels& surface) override;
   bool MakesCoverage() const override;
