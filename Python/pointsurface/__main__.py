@@ -4,7 +4,7 @@
 import argparse
 import sys
 
-from . import convert, demo, info, render
+from . import convert, demo, info, render, view
 from .errors import CannotRender, WrongUse
 
 CANNOT_RENDER = 1
@@ -28,6 +28,7 @@ def main():
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     for name, command, explanation in (
         ("render", render, "draw a file's points into a picture"),
+        ("view", view, "show a file's points in a window, with keys to change how"),
         ("info", info, "tell what a file holds"),
         ("convert", convert, "write a file's points, with normals, radii or as splats"),
         ("demo", demo, "draw a file from points, and its mesh beside it"),

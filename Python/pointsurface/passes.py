@@ -43,6 +43,8 @@ def apply(renderer, passes):
 
     Points, meshes and volumes go through them, but not what lies on top of the picture, such as text.
     """
+    if renderer.GetPass() is not None and renderer.GetRenderWindow() is not None:
+        renderer.GetPass().ReleaseGraphicsResources(renderer.GetRenderWindow())
     if not passes:
         renderer.SetPass(None)
         return

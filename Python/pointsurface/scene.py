@@ -28,16 +28,16 @@ VIEWS = {
     "bottom": ((0, 0, -1), (0, 1, 0)),
     "iso": ((1, -1, 1), (0, 0, 1)),
 }
-_KEY_AND_FILL = ((-31, 31, 0.8), (27, -10, 0.3))  # azimuth and elevation in degrees, intensity
+KEY_AND_FILL = ((-31, 31, 0.8), (27, -10, 0.3))  # azimuth and elevation in degrees, intensity
 
 
 def make(subject, arguments):
     """The renderer of a subject as options.add_scene() has it asked for. Raises WrongUse."""
-    mapper = make_mapper(subject, arguments.method)
-    _set_radii(mapper, subject, arguments)
-    renderer = make_scene(subject, mapper, arguments.light or _KEY_AND_FILL)
-    _color(renderer, mapper, subject, arguments)
-    _clip(mapper, subject, arguments.clip)
+    renderer = make_scene(subject, make_mapper(subject, arguments), arguments.light or KEY_AND_FILL)
+    if arguments.color:
+        renderer.GetActors().GetLastActor().GetProperty().SetColor(arguments.color)
+    if arguments.background:
+        renderer.SetBackground(arguments.background)
     if arguments.view:
         look_from(renderer, *VIEWS[arguments.view])
     if arguments.camera:
@@ -46,20 +46,29 @@ def make(subject, arguments):
     return renderer
 
 
-def make_mapper(subject, method):
-    """A mapper of METHODS with the subject's points, or, if it draws such, with splats that are fitted to them."""
-    mapper = METHODS[method]()
+def make_mapper(subject, arguments):
+    """The mapper of a subject as options.add_scene() has it asked for. Raises WrongUse."""
+    mapper = METHODS[arguments.method]()
     points = subject.points
-    if needs_splats(method, points):
+    if needs_splats(arguments.method, points):
         splats = splat_filter(points)
         with followed(splats, "fitting splats"):
             splats.Update()
         points = splats.GetOutput()
     mapper.SetInputData(points)
+    mapper.SetRadiusScale(radius_scale(subject, arguments))
+    mapper.SetRadius(arguments.radius or 0)
+    mapper.SetSupersampling(arguments.supersampling)
+    _color_by(mapper, points, arguments)
+    clip(mapper, subject, arguments.clip)
     return mapper
 
 
-def make_scene(subject, mapper, lights=_KEY_AND_FILL):
+def radius_scale(subject, arguments):
+    return arguments.radius_scale or (ISOSURFACE_RADIUS_SCALE if subject.is_isosurface else 1.0)
+
+
+def make_scene(subject, mapper, lights=KEY_AND_FILL):
     """A renderer with the subject, drawn by `mapper`, as its actor, with lights and a camera that sees all.
 
     lights: of each its azimuth and elevation in degrees, as seen from the camera, which they move with, and intensity.
@@ -126,24 +135,13 @@ def place_camera(renderer, description):
     renderer.ResetCameraClippingRange()
 
 
-def _set_radii(mapper, subject, arguments):
-    default_scale = ISOSURFACE_RADIUS_SCALE if subject.is_isosurface else 1
-    mapper.SetRadiusScale(arguments.radius_scale or default_scale)
-    mapper.SetRadius(arguments.radius or 0)
-    mapper.SetSupersampling(arguments.supersampling)
-
-
-def _color(renderer, mapper, subject, arguments):
-    if arguments.color:
-        renderer.GetActors().GetLastActor().GetProperty().SetColor(arguments.color)
-    if arguments.background:
-        renderer.SetBackground(arguments.background)
+def _color_by(mapper, points, arguments):
     if not arguments.scalars:
         for option in ("cmap", "range"):
             if getattr(arguments, option):
                 raise WrongUse(f"--{option} is of an array: it needs --scalars")
         return
-    data = subject.points.GetPointData()
+    data = points.GetPointData()
     array = data.GetArray(arguments.scalars)
     if array is None:
         names = ", ".join(data.GetArrayName(i) for i in range(data.GetNumberOfArrays())) or "none"
@@ -156,9 +154,11 @@ def _color(renderer, mapper, subject, arguments):
     mapper.SetScalarRange(arguments.range or array.GetFiniteRange(-1 if array.GetNumberOfComponents() > 1 else 0))
 
 
-def _clip(mapper, subject, planes):
+def clip(mapper, subject, planes):
+    """Clips by planes, each a normal and an origin, None being the middle of the subject, and by no others."""
     if len(planes) > 6:
         raise WrongUse(f"{len(planes)} planes to clip by are more than six")
+    mapper.RemoveAllClippingPlanes()
     for normal, origin in planes:
         plane = vtkPlane()
         plane.SetNormal(normal)
