@@ -83,3 +83,5 @@ if (BUILD_TESTING)
   endif ()
   include(PointSurfaceInstallTests)
 endif ()
+
+include(PointSurfaceReference)

@@ -36,6 +36,11 @@ EXPECTED = {
         "surface": (near(p, (0.7, 0.65, 0.56), 0.3), 0.1),
         "lines of the last style": (near(p[:, -300:], 0, 0.1), 0.02),
     },
+    "raw_scan.py": lambda p: {"surface": (near(p, (0.5, 0.57, 0.43), 0.35) & (p[..., 1] > p[..., 2]), 0.2)},
+    "few_splats.py": lambda p: {
+        "order 4": (p[..., 0] > p[..., 1] + 0.2, 0.02),
+        "order 2": (p[..., 1] > p[..., 0] + 0.2, 0.02),
+    },
     "time_series.py": lambda p: {"surface": (near(p, 0.7, 0.3), 0.1)},
 }
 
@@ -45,6 +50,15 @@ def test_every_example_is_listed_and_checked():
         page = file.read()
     assert SCRIPTS and set(SCRIPTS) == set(EXPECTED)
     assert [name for name in SCRIPTS if f"`{name}`" not in page] == []
+
+
+def test_gallery_is_up_to_date(monkeypatch):
+    monkeypatch.syspath_prepend(EXAMPLES)
+    import gallery
+
+    with open(os.path.join(EXAMPLES, "GALLERY.md"), encoding="utf-8") as file:
+        assert file.read() == gallery.page(), "run Examples/gallery.py"
+    assert sorted(os.listdir(gallery.PICTURES)) == [f"{name[:-3]}.png" for name in SCRIPTS]
 
 
 @pytest.mark.parametrize("script", SCRIPTS)

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The reference of the API, from the doc comments, as HTML in Reference/html of the build tree: the target
+# PointSurfaceReference, which is not a part of the build. It needs Doxygen.
+find_package(Doxygen QUIET)
+if (NOT DOXYGEN_FOUND)
+  return ()
+endif ()
+set(DOXYGEN_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/Reference")
+set(DOXYGEN_PROJECT_NAME PointSurface)
+set(DOXYGEN_FILE_PATTERNS *.h *.py)
+set(DOXYGEN_JAVADOC_AUTOBRIEF YES)
+set(DOXYGEN_OPTIMIZE_OUTPUT_FOR_PYTHON NO)
+set(DOXYGEN_PYTHON_DOCSTRING YES)
+set(DOXYGEN_QUIET YES)
+set(DOXYGEN_WARN_IF_UNDOCUMENTED NO)
+set(DOXYGEN_WARN_AS_ERROR NO)
+# VTK's macros, as what they declare.
+set(DOXYGEN_MACRO_EXPANSION YES)
+set(DOXYGEN_EXPAND_ONLY_PREDEF YES)
+set(DOXYGEN_PREDEFINED
+  "VTKPOINTSURFACE_EXPORT="
+  "vtkTypeMacro(type,base)="
+  "vtkSetMacro(name,type)=virtual void Set##name(type value)\;"
+  "vtkGetMacro(name,type)=virtual type Get##name()\;"
+  "vtkBooleanMacro(name,type)=virtual void name##On()\; virtual void name##Off()\;"
+  "vtkSetClampMacro(name,type,low,high)=virtual void Set##name(type value)\;"
+  "vtkSetStringMacro(name)=virtual void Set##name(const char* value)\;"
+  "vtkGetStringMacro(name)=virtual char* Get##name()\;"
+  "vtkSetVector3Macro(name,type)=virtual void Set##name(type x, type y, type z)\;"
+  "vtkGetVector3Macro(name,type)=virtual type* Get##name()\;"
+  "vtkGetVector4Macro(name,type)=virtual type* Get##name()\;"
+  "vtkSetObjectMacro(name,type)=virtual void Set##name(type* value)\;"
+  "vtkGetObjectMacro(name,type)=virtual type* Get##name()\;")
+doxygen_add_docs(PointSurfaceReference
+  "${CMAKE_SOURCE_DIR}/Module" "${CMAKE_SOURCE_DIR}/Rendering" "${CMAKE_SOURCE_DIR}/Python/pointsurface"
+  "${CMAKE_SOURCE_DIR}/README.md"
+  COMMENT "Making the reference in ${CMAKE_BINARY_DIR}/Reference/html")
