@@ -234,8 +234,8 @@ void Limit(double value, double change, double& begin, double& end)
 template <int Order>
 bool Tracer::Trace(const TracedSplat& splat, int x, int y, Hit& hit) const
 {
-  const auto& ray = this->Transform.Ray;
-  const auto& rayStep = this->Transform.RayStep;
+  const auto& ray = this->Transform.Rays.First;
+  const auto& rayStep = this->Transform.Rays.Step;
   const double pixel[2] = { x + 0.5, y + 0.5 };
   // the ray from the depth of the splat's centre on, in units of the disc
   Vector direction = { 0.0, 0.0, -1.0 };
@@ -245,6 +245,8 @@ bool Tracer::Trace(const TracedSplat& splat, int x, int y, Hit& hit) const
     direction[k] = ray[k] + pixel[k] * rayStep[k];
     position[k] = ray[2 + k] + pixel[k] * rayStep[2 + k] - splat.Center[2] * direction[k];
   }
+  direction[0] -= this->Transform.Rays.Shear * direction[1];
+  position[0] -= this->Transform.Rays.Shear * position[1];
   const Vector offset = { position[0] - splat.Center[0], position[1] - splat.Center[1], 0.0 };
   Vector start;
   Vector step;

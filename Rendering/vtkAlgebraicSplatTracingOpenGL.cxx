@@ -50,8 +50,9 @@ void SetView(vtkShaderProgram* program, const vtkPointSurfaceView& view,
   program->SetUniformMatrix("VCDCMatrix", matrix);
   program->SetUniformMatrix3x3("toEye", ToFloats(transform.ToEye).data());
   program->SetUniform3f("origin", ToFloats(transform.Origin).data());
-  program->SetUniform4f("eyeRay", ToFloats(transform.Ray).data());
-  program->SetUniform4f("eyeRayStep", ToFloats(transform.RayStep).data());
+  program->SetUniform4f("eyeRay", ToFloats(transform.Rays.First).data());
+  program->SetUniform4f("eyeRayStep", ToFloats(transform.Rays.Step).data());
+  program->SetUniformf("shear", static_cast<float>(transform.Rays.Shear));
   const float pixel[2] = { 2.0f / view.Size[0], 2.0f / view.Size[1] };
   program->SetUniform2f("pixel", pixel);
   float planes[8][4] = {};

@@ -3,12 +3,12 @@
  * @class   vtkAlgebraicSplatTransform
  * @brief   the view as rays that meet splats want it
  *
- * Rays are linear functions of the pixel: eye xy = origin + depth * direction. What limits a ray,
- * the clipping range and clipping planes, are planes in eye coordinates.
+ * What limits a ray, the clipping range and clipping planes, are planes in eye coordinates.
  */
 #ifndef vtkAlgebraicSplatTransform_h
 #define vtkAlgebraicSplatTransform_h
 
+#include "vtkEyeRays.h"
 #include "vtkPointSurfaceView.h"
 
 #include <array>
@@ -16,24 +16,15 @@
 
 struct vtkAlgebraicSplatTransform
 {
-  std::array<double, 4> Ray{};     ///< xy: direction through the pixel (0, 0); zw: origin
-  std::array<double, 4> RayStep{}; ///< change of these a pixel
+  vtkEyeRays Rays;
   std::vector<std::array<double, 4>> Planes;
   std::array<double, 9> ToEye{};  ///< from model to eye vectors: row i is the image of axis i
   std::array<double, 3> Origin{}; ///< the splats' origin in eye coordinates
 
   vtkAlgebraicSplatTransform(const vtkPointSurfaceView& view, const std::array<double, 3>& origin)
+    : Rays(view)
   {
     const auto& m = view.VCDC;
-    for (int k = 0; k < 2; ++k)
-    {
-      const double scale = m[5 * k];
-      const double size = view.Size[k];
-      this->Ray[k] = (m[11] + m[8 + k]) / scale;
-      this->Ray[2 + k] = (-m[15] - m[12 + k]) / scale;
-      this->RayStep[k] = -2.0 * m[11] / (size * scale);
-      this->RayStep[2 + k] = 2.0 * m[15] / (size * scale);
-    }
     this->Planes.push_back({ 0.0, 0.0, m[11] + m[10], m[15] + m[14] });
     this->Planes.push_back({ 0.0, 0.0, m[11] - m[10], m[15] - m[14] });
     this->Planes.insert(this->Planes.end(), view.ClippingPlanes.begin(),

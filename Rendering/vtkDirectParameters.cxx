@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDirectParameters.h"
 
+#include "vtkEyeRays.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -68,18 +70,15 @@ vtkDirectParameters::vtkDirectParameters(
   this->Levels = MakeLevels(this->ImageView, options.AdaptiveResolution ? MaximumLevel : 0);
   this->Gamma = static_cast<float>(options.DepthTolerance * view.Diagonal);
 
+  const vtkEyeRays rays(this->ImageView);
+  this->EyeRay = vtkEyeRays::ToFloats(rays.First);
+  this->EyeRayStep = vtkEyeRays::ToFloats(rays.Step);
+  this->Shear = static_cast<float>(rays.Shear);
   const auto& m = view.VCDC;
   for (int k = 0; k < 2; ++k)
   {
-    const double scale = m[5 * k];
-    const double size = this->ImageView.Size[k];
-    this->CellToEye[k] = static_cast<float>(2.0 / (size * std::abs(scale)));
-    this->EyeRay[k] = static_cast<float>((m[11] + m[8 + k]) / scale);
-    this->EyeRay[2 + k] = static_cast<float>((-m[15] - m[12 + k]) / scale);
-    this->EyeRayStep[k] = static_cast<float>(-2.0 * m[11] / (size * scale));
-    this->EyeRayStep[2 + k] = static_cast<float>(2.0 * m[15] / (size * scale));
+    this->CellToEye[k] = static_cast<float>(2.0 / (this->ImageView.Size[k] * std::abs(m[5 * k])));
   }
-  this->Shear = static_cast<float>(m[4] / m[0]);
   this->CellToEye[2] = static_cast<float>(-m[11]);
   this->CellToEye[3] = static_cast<float>(m[15]);
 }

@@ -7,6 +7,7 @@
 #include "vtkNew.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -43,26 +44,45 @@ void GetCenter(vtkMatrix4x4* viewToClip, double center[3])
   equations->Invert();
   equations->MultiplyPoint(right, center);
 }
+
+/// Whether lengths and angles stay what they are.
+bool IsRigid(vtkMatrix4x4* motion)
+{
+  double axes[3][3];
+  for (int k = 0; k < 3; ++k)
+  {
+    GetColumn(motion, k, axes[k]);
+  }
+  bool rigid = true;
+  for (int k = 0; k < 3; ++k)
+  {
+    rigid = rigid && std::abs(vtkMath::Norm(axes[k]) - 1.0) < 1e-9 &&
+      std::abs(vtkMath::Dot(axes[k], axes[(k + 1) % 3])) < 1e-9;
+  }
+  return rigid;
 }
 
-void vtkEyeFrame::FromProjection(vtkMatrix4x4* viewToClip, vtkMatrix4x4* viewToEye)
+/// The rigid motion to the eye.
+void FromProjection(vtkMatrix4x4* viewToClip, vtkMatrix4x4* viewToEye)
 {
   viewToEye->Identity();
   const bool parallel = IsParallel(viewToClip);
   auto isZero = [&](int row, int column) { return viewToClip->GetElement(row, column) == 0.0; };
-  const bool looksAlongZ = isZero(0, 3) && isZero(1, 3) && isZero(0, 1);
+  const int alongDepth = parallel ? 2 : 3;
+  const bool looksAlongZ = isZero(0, alongDepth) && isZero(1, alongDepth) && isZero(0, 1) &&
+    viewToClip->GetElement(2, alongDepth) < 0.0;
   const bool isAtOrigin = isZero(3, 0) && isZero(3, 1) && isZero(3, 3);
   if (looksAlongZ && (parallel || isAtOrigin))
   {
     return;
   }
 
-  double z[3] = { 0.0, 0.0, 1.0 };
+  double z[3];
   double center[3] = { 0.0, 0.0, 0.0 };
+  GetColumn(viewToClip, parallel ? 2 : 3, z);
+  vtkMath::MultiplyScalar(z, -1.0 / vtkMath::Norm(z));
   if (!parallel)
   {
-    GetColumn(viewToClip, 3, z);
-    vtkMath::MultiplyScalar(z, -1.0 / vtkMath::Norm(z));
     GetCenter(viewToClip, center);
   }
   double y[3];
@@ -84,6 +104,23 @@ void vtkEyeFrame::FromProjection(vtkMatrix4x4* viewToClip, vtkMatrix4x4* viewToE
     }
     viewToEye->SetElement(3, column, -vtkMath::Dot(center, axes[column]));
   }
+}
+}
+
+void vtkEyeFrame::FromCamera(
+  vtkMatrix4x4* worldToView, vtkMatrix4x4* viewToClip, vtkMatrix4x4* viewToEye)
+{
+  if (IsRigid(worldToView))
+  {
+    FromProjection(viewToClip, viewToEye);
+    return;
+  }
+  vtkNew<vtkMatrix4x4> worldToClip;
+  vtkMatrix4x4::Multiply4x4(worldToView, viewToClip, worldToClip);
+  vtkNew<vtkMatrix4x4> worldToEye;
+  FromProjection(worldToClip, worldToEye);
+  vtkMatrix4x4::Invert(worldToView, viewToEye);
+  vtkMatrix4x4::Multiply4x4(viewToEye, worldToEye, viewToEye);
 }
 
 void vtkEyeFrame::StepBack(vtkMatrix4x4* viewToClip, vtkMatrix4x4* modelToView,

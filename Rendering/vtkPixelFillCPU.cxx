@@ -135,9 +135,11 @@ void vtkPixelFillCPU::FillRow(
   {
     const auto& ray = parameters.EyeRay;
     const auto& step = parameters.EyeRayStep;
-    FindBacks(&pixels.Surface[4 * static_cast<size_t>(row) * width], width,
-      ray[0] + (static_cast<float>(r[0]) + 0.5f) * step[0],
-      ray[1] + (static_cast<float>(r[1] + row) + 0.5f) * step[1], step[0], backs);
+    const float rayY = ray[1] + (static_cast<float>(r[1] + row) + 0.5f) * step[1];
+    const float rayX =
+      ray[0] - parameters.Shear * rayY + (static_cast<float>(r[0]) + 0.5f) * step[0];
+    FindBacks(
+      &pixels.Surface[4 * static_cast<size_t>(row) * width], width, rayX, rayY, step[0], backs);
   }
   unsigned char* candidates = marksAt(4);
   const unsigned char* found[3] = { marksAt(0), marksAt(1), marksAt(2) };

@@ -575,17 +575,19 @@ void vtkPointSurfaceMapper::DrawBlocks(
 //------------------------------------------------------------------------------
 namespace
 {
-vtkSmartPointer<vtkMatrix3x3> GetRotation(vtkMatrix4x4* motion)
+/// What a motion does to normals, both of row vectors.
+vtkSmartPointer<vtkMatrix3x3> GetNormalMatrix(vtkMatrix4x4* motion)
 {
-  auto rotation = vtkSmartPointer<vtkMatrix3x3>::New();
+  auto matrix = vtkSmartPointer<vtkMatrix3x3>::New();
   for (int row = 0; row < 3; ++row)
   {
     for (int column = 0; column < 3; ++column)
     {
-      rotation->SetElement(row, column, motion->GetElement(row, column));
+      matrix->SetElement(column, row, motion->GetElement(row, column));
     }
   }
-  return rotation;
+  matrix->Invert();
+  return matrix;
 }
 
 /// Bounds of blocks, as far as they lie within those of what is drawn at all.
@@ -659,10 +661,10 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(
     vtkMatrix3x3::Multiply3x3(actorNormals, normals, normal);
   }
   vtkMatrix4x4* viewToEye = this->Internals->ViewToEye;
-  vtkEyeFrame::FromProjection(vcdc, viewToEye);
+  vtkEyeFrame::FromCamera(wcvc, vcdc, viewToEye);
   vtkEyeFrame::StepBack(vcdc, modelToEye, this->Internals->Points.GetBounds(), viewToEye);
   vtkMatrix4x4::Multiply4x4(modelToEye, viewToEye, modelToEye);
-  vtkMatrix3x3::Multiply3x3(normal, GetRotation(viewToEye), normal);
+  vtkMatrix3x3::Multiply3x3(normal, GetNormalMatrix(viewToEye), normal);
   vtkNew<vtkMatrix4x4> eyeToClip;
   vtkMatrix4x4::Invert(viewToEye, eyeToClip);
   vtkMatrix4x4::Multiply4x4(eyeToClip, vcdc, eyeToClip);
@@ -1054,6 +1056,7 @@ void vtkPointSurfaceMapper::SetMapperShaderParameters(
   program->SetUniformMatrix("psVCDC", matrix);
   vtkMatrix4x4::Invert(this->Internals->ViewToEye, matrix);
   program->SetUniformMatrix("psEyeToView", matrix);
+  program->SetUniformMatrix("psNormalToView", GetNormalMatrix(matrix));
   if (program->IsUniformUsed("clipPlanes"))
   {
     // those that VTK has set are of vertices as they were uploaded

@@ -103,7 +103,7 @@ void vtkPointSurfaceView::SetExtent(
   }
   // in samples, of the largest disc and of half the viewport
   const double half[2] = { 0.5 * this->Size[0], 0.5 * this->Size[1] };
-  const double radius[2] = { std::abs(this->LargestRadius * m[0] / nearestW) * half[0],
+  const double radius[2] = { this->LargestRadius * std::hypot(m[0], m[4]) / nearestW * half[0],
     std::abs(this->LargestRadius * m[5] / nearestW) * half[1] };
   if (std::min(lower[0], lower[1]) < -1.0 || std::max(upper[0], upper[1]) > 1.0)
   {

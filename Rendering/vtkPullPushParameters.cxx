@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPullPushParameters.h"
 
+#include "vtkEyeRays.h"
 #include "vtkPointSurfaceView.h"
 
 #include "vtkMath.h"
@@ -42,16 +43,14 @@ vtkPullPushParameters::vtkPullPushParameters(
       this->ClippingPlanes[i][k] = static_cast<float>(plane[k] / size);
     }
   }
+  const vtkEyeRays rays(view);
+  this->EyeRay = vtkEyeRays::ToFloats(rays.First);
+  this->EyeRayStep = vtkEyeRays::ToFloats(rays.Step);
+  this->Shear = static_cast<float>(rays.Shear);
   const auto& m = view.VCDC;
   for (int k = 0; k < 2; ++k)
   {
-    const double scale = m[5 * k];
-    const double size = view.Size[k];
-    this->PixelToEye[k] = static_cast<float>(2.0 / (size * scale));
-    this->EyeRay[k] = static_cast<float>((m[11] + m[8 + k]) / scale);
-    this->EyeRay[2 + k] = static_cast<float>((-m[15] - m[12 + k]) / scale);
-    this->EyeRayStep[k] = static_cast<float>(-2.0 * m[11] / (size * scale));
-    this->EyeRayStep[2 + k] = static_cast<float>(2.0 * m[15] / (size * scale));
+    this->PixelToEye[k] = static_cast<float>(2.0 / (view.Size[k] * m[5 * k]));
   }
   this->PixelToEye[2] = static_cast<float>(-m[11]);
   this->PixelToEye[3] = static_cast<float>(m[15]);

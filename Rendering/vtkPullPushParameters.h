@@ -28,12 +28,13 @@ struct vtkPullPushParameters
   vtkPullPushOptions Options;
   std::vector<Level> Levels;         ///< 0 is the finest; the last is of one pixel
   std::array<float, 4> PixelToEye{}; ///< xy: eye units a pixel where w is 1; zw: w = z depth + w
-  // Rays as linear functions of the pixel: eye xy = origin + depth * direction.
-  std::array<float, 4> EyeRay{};     ///< xy: direction through the pixel (0, 0); zw: origin
-  std::array<float, 4> EyeRayStep{}; ///< change of these a pixel of level 0
-  float UnionShare = 0.0f;           ///< 0: mean of the radii (the paper); 1: the discs' union
-  float DepthStep = 0.0f;            ///< in eye units: what is farther back than this is behind
-  bool TwoSided = false;             ///< normals may point to either side
+  // See vtkEyeRays, of level 0. What PixelToEye gives is to be sheared too.
+  std::array<float, 4> EyeRay{};
+  std::array<float, 4> EyeRayStep{};
+  float Shear = 0.0f;
+  float UnionShare = 0.0f; ///< 0: mean of the radii (the paper); 1: the discs' union
+  float DepthStep = 0.0f;  ///< in eye units: what is farther back than this is behind
+  bool TwoSided = false;   ///< normals may point to either side
   /// Planes of clipping in eye coordinates, with normals of unit length.
   std::array<std::array<float, 4>, 6> ClippingPlanes{};
   int NumberOfClippingPlanes = 0;

@@ -88,6 +88,7 @@ struct Uniforms
   float PixelToEye[4];
   float EyeRay[4];
   float EyeRayStep[4];
+  float Shear;
   float UnionShare;
   float FineSize;       // pixels of level 0 along a side of a fine pixel
   float OppositeSide;   // factor on normals that point to the other side: 1 leaves them
@@ -100,14 +101,17 @@ struct Uniforms
   float ClippingPlanes[6][4];
 
   Uniforms(const vtkPullPushParameters& p, int fineLevel)
-    : UnionShare(p.UnionShare)
+    : Shear(p.Shear)
+    , UnionShare(p.UnionShare)
     , FineSize(static_cast<float>(1 << fineLevel))
     , OppositeSide(p.TwoSided ? -1.0f : 1.0f)
     , BackLimit(p.TwoSided ? 4.0f : 1.0f)
     , DistanceWeight(p.Options.DistanceWeights ? 1.0f : 0.0f)
     , ConstantWeight(p.Options.DistanceWeights ? 0.0f : 1.0f)
     , FrontEndMargin(p.Options.DepthTestInPush ? 0.0f : Infinite)
-    , PixelReach(0.71f * (this->FineSize - 1.0f) * std::hypot(p.PixelToEye[0], p.PixelToEye[1]))
+    , PixelReach(0.71f * (this->FineSize - 1.0f) *
+        std::hypot(
+          std::abs(p.PixelToEye[0]) + std::abs(p.Shear * p.PixelToEye[1]), p.PixelToEye[1]))
     , NumberOfClippingPlanes(p.NumberOfClippingPlanes)
   {
     for (int i = 0; i < 6; ++i)
@@ -222,8 +226,8 @@ VTK_POINT_SURFACE_INLINE void PullPixels(
         const float span = std::abs(p[k].DepthX - result.DepthX) + p[k].DepthY;
         result.DepthY = Largest(result.DepthY, share[k] * span);
       }
-      const float x = (p[k].CenterX - result.CenterX) * u.PixelToEye[0] * w;
       const float y = (p[k].CenterY - result.CenterY) * u.PixelToEye[1] * w;
+      const float x = (p[k].CenterX - result.CenterX) * u.PixelToEye[0] * w - u.Shear * y;
       const float reach = p[k].Radius + 0.5f * std::sqrt(x * x + y * y);
       unionRadius = Largest(unionRadius, share[k] * reach);
     }
@@ -295,8 +299,8 @@ struct Hit
 VTK_POINT_SURFACE_INLINE Hit HitEllipse(const Pixel& p, const Uniforms& u)
 {
   const float w = (u.PixelToEye[2] * p.DepthX + u.PixelToEye[3]) / p.Radius;
-  const float x = p.CenterX * u.PixelToEye[0] * w;
   const float y = p.CenterY * u.PixelToEye[1] * w;
+  const float x = p.CenterX * u.PixelToEye[0] * w - u.Shear * y;
   // along and across the minor axis, both times the slope
   const float along = x * p.NormalX + y * p.NormalY;
   const float across = y * p.NormalX - x * p.NormalY;
@@ -313,8 +317,8 @@ VTK_POINT_SURFACE_INLINE Hit HitEllipse(const Pixel& p, const Uniforms& u)
 VTK_POINT_SURFACE_INLINE Hit HitDisc(const Pixel& p, const Uniforms& u, const float (&ray)[2])
 {
   // the centre from where the ray is at the centre's depth
-  const float x = p.CenterX * (u.EyeRayStep[2] + p.DepthX * u.EyeRayStep[0]);
   const float y = p.CenterY * (u.EyeRayStep[3] + p.DepthX * u.EyeRayStep[1]);
+  const float x = p.CenterX * (u.EyeRayStep[2] + p.DepthX * u.EyeRayStep[0]) - u.Shear * y;
   const float slope = p.NormalX * ray[0] + p.NormalY * ray[1] - p.NormalZ;
   const bool grazes = std::abs(slope) < 1e-3f;
   const float deeper = (p.NormalX * x + p.NormalY * y) / (grazes ? 1.0f : slope);
@@ -371,6 +375,8 @@ VTK_POINT_SURFACE_INLINE void PushPixels(const Pixels<PairSize>& fine,
   const Uniforms u = uniforms;
   const float rayY = u.EyeRay[1] + (static_cast<float>(y) + 0.5f) * u.FineSize * u.EyeRayStep[1];
   const float originY = u.EyeRay[3] + (static_cast<float>(y) + 0.5f) * u.FineSize * u.EyeRayStep[3];
+  const float firstRayX = u.EyeRay[0] - u.Shear * rayY;
+  const float firstOriginX = u.EyeRay[2] - u.Shear * originY;
   // from the fine pixel's centre to those of its parent and of the parent's neighbour
   const float sideY = y & 1 ? -u.FineSize : u.FineSize;
   const float firstX = static_cast<float>(x);
@@ -384,8 +390,8 @@ VTK_POINT_SURFACE_INLINE void PushPixels(const Pixels<PairSize>& fine,
   VTK_POINT_SURFACE_INDEPENDENT
   for (int i = 0; i < PairSize; ++i)
   {
-    const float ray[2] = { u.EyeRay[0] + (column[i] + 0.5f) * u.FineSize * u.EyeRayStep[0], rayY };
-    const float origin[2] = { u.EyeRay[2] + (column[i] + 0.5f) * u.FineSize * u.EyeRayStep[2],
+    const float ray[2] = { firstRayX + (column[i] + 0.5f) * u.FineSize * u.EyeRayStep[0], rayY };
+    const float origin[2] = { firstOriginX + (column[i] + 0.5f) * u.FineSize * u.EyeRayStep[2],
       originY };
     const Pixel own = fine.Get(i);
     const float ownNearest = GetDepthRange<CenterDepths>(own).Nearest;
@@ -493,11 +499,12 @@ VTK_POINT_SURFACE_INLINE void FindSurfaceDepths(
 {
   const Uniforms u = uniforms;
   const float rayY = u.EyeRay[1] + (static_cast<float>(y) + 0.5f) * u.FineSize * u.EyeRayStep[1];
+  const float firstRayX = u.EyeRay[0] - u.Shear * rayY;
   VTK_POINT_SURFACE_INDEPENDENT
   for (int i = 0; i < PairSize; ++i)
   {
     const float ray[2] = {
-      u.EyeRay[0] + (static_cast<float>(x + i) + 0.5f) * u.FineSize * u.EyeRayStep[0], rayY
+      firstRayX + (static_cast<float>(x + i) + 0.5f) * u.FineSize * u.EyeRayStep[0], rayY
     };
     const Pixel p = pushed.Result.Get(i);
     const Hit hit = HitDisc(p, u, ray);

@@ -25,14 +25,11 @@ void SetBounds(
 void SetCommonUniforms(vtkShaderProgram* program, const vtkPullPushParameters& parameters)
 {
   program->SetUniform4f("pixelToEye", parameters.PixelToEye.data());
-  program->SetUniformi("twoSided", parameters.TwoSided);
-  program->SetUniformi("centerDepths", parameters.Options.PerspectiveDiscs);
-}
-
-void SetRays(vtkShaderProgram* program, const vtkPullPushParameters& parameters)
-{
   program->SetUniform4f("eyeRay", parameters.EyeRay.data());
   program->SetUniform4f("eyeRayStep", parameters.EyeRayStep.data());
+  program->SetUniformf("shear", parameters.Shear);
+  program->SetUniformi("twoSided", parameters.TwoSided);
+  program->SetUniformi("centerDepths", parameters.Options.PerspectiveDiscs);
 }
 }
 
@@ -131,7 +128,6 @@ void vtkPullPushReconstructionOpenGL::Push(vtkOpenGLRenderWindow* window,
   SetBounds(program, "coarse", parameters.Levels[level + 1].Rectangle);
   program->SetUniformf("fineSize", static_cast<float>(1 << level));
   SetCommonUniforms(program, parameters);
-  SetRays(program, parameters);
   program->SetUniformi("distanceWeights", parameters.Options.DistanceWeights);
   program->SetUniformi("depthTest", parameters.Options.DepthTestInPush);
   program->SetUniformi("numberOfClippingPlanes", parameters.NumberOfClippingPlanes);
@@ -161,8 +157,7 @@ void vtkPullPushReconstructionOpenGL::Fill(vtkOpenGLRenderWindow* window,
   program->SetUniform2i("begin", parameters.Levels[0].Rectangle.data());
   program->SetUniform2i("end", parameters.Levels[0].Rectangle.data() + 2);
   program->SetUniformf("depthStep", parameters.DepthStep);
-  program->SetUniformi("twoSided", parameters.TwoSided);
-  SetRays(program, parameters);
+  SetCommonUniforms(program, parameters);
   result.BindForWriting(window);
   this->DrawLevel(window, parameters, pass, 0);
   unfilled.Deactivate();
@@ -183,17 +178,16 @@ vtkScreenPass& vtkPullPushReconstructionOpenGL::GetPass(
   std::unique_ptr<vtkScreenPass>& pass = this->Programs[kind][{ input, output }];
   if (!pass)
   {
-    std::string text = "//VTK::System::Dec\n" + vtkSurfaceTarget::GetOutputDeclarations(output);
+    std::string text =
+      "//VTK::System::Dec\n" + vtkSurfaceTarget::GetOutputDeclarations(output) + vtkPullPushCommon;
     switch (kind)
     {
       case PullPass:
-        text += vtkSurfaceTarget::GetInputDeclarations(input, "fine");
-        text += std::string(vtkPullPushCommon) + vtkPullFS;
+        text += vtkSurfaceTarget::GetInputDeclarations(input, "fine") + vtkPullFS;
         break;
       case PushPass:
         text += vtkSurfaceTarget::GetInputDeclarations(input, "fine");
-        text += vtkSurfaceTarget::GetInputDeclarations(input, "coarse");
-        text += std::string(vtkPullPushCommon) + vtkPushFS;
+        text += vtkSurfaceTarget::GetInputDeclarations(input, "coarse") + vtkPushFS;
         break;
       default:
         text += vtkSurfaceTarget::GetInputDeclarations(input, "in") + vtkFillFS;

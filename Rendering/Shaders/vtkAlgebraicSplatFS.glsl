@@ -5,6 +5,7 @@
 uniform samplerBuffer splats;
 uniform vec4 eyeRay;     // xy: the ray's direction through the pixel (0, 0); zw: its origin
 uniform vec4 eyeRayStep; // change of these a pixel
+uniform float shear;     // in a sheared picture eye x is less than by these by that times y
 uniform vec4 planes[8];  // what limits the ray, in eye coordinates
 uniform int numberOfPlanes;
 uniform int cull;        // 1 drops what faces away, 2 what faces the viewer
@@ -48,6 +49,7 @@ void main()
 {
   // the ray from the depth of the splat's centre on, in units of the disc
   vec4 ray = eyeRay + gl_FragCoord.xyxy * eyeRayStep;
+  ray.xz -= shear * ray.yw;
   vec3 direction = vec3(ray.xy, -1.0);
   vec3 position = vec3(ray.zw - center.z * ray.xy, center.z);
   vec3 offset = position - center;

@@ -5,9 +5,6 @@
 uniform ivec2 begin; // pixels outside of [begin, end) are empty
 uniform ivec2 end;
 uniform float depthStep; // what is farther back than this is behind
-uniform bool twoSided;   // normals may point to either side
-uniform vec4 eyeRay;     // xy: the ray's direction through the pixel (0, 0)
-uniform vec4 eyeRayStep; // change of it a pixel
 
 const ivec2 ring[8] = ivec2[8](ivec2(1, 0), ivec2(1, 1), ivec2(0, 1), ivec2(-1, 1), ivec2(-1, 0),
   ivec2(-1, -1), ivec2(0, -1), ivec2(1, -1));
@@ -23,8 +20,7 @@ void main()
   vec4 color = texelFetch(inColor, pixel, 0);
 #endif
 
-  vec3 ray = vec3(eyeRay.xy + (vec2(pixel) + 0.5) * eyeRayStep.xy, -1.0);
-  bool isBack = twoSided && dot(surface.xyz, ray) > 0.0;
+  bool isBack = twoSided && !facesViewer(surface.xyz, vec2(pixel) + 0.5);
   vec4 around[8];
   float nearest = 3.4e38;
   int front = 0;

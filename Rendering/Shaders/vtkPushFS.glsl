@@ -3,8 +3,6 @@
 uniform ivec2 coarseBegin; // pixels outside of [begin, end) are invalid
 uniform ivec2 coarseEnd;
 uniform float fineSize;    // pixels of level 0 along a side of a fine pixel
-uniform vec4 eyeRay;       // xy: the ray's direction through the pixel (0, 0); zw: its origin
-uniform vec4 eyeRayStep;   // change of these a pixel of level 0
 uniform bool distanceWeights;
 uniform int numberOfClippingPlanes;
 uniform vec4 clippingPlanes[6]; // in eye coordinates, of unit length
@@ -35,14 +33,14 @@ float getEllipseDistance(vec4 shape, vec4 interval, vec2 toCenter)
 float getDiscDistance(vec4 shape, vec4 interval, vec2 pixel, vec2 toCenter, out float depth)
 {
   depth = interval.x;
-  vec2 ray = eyeRay.xy + pixel * eyeRayStep.xy;
+  vec2 ray = getRay(pixel).xy;
   float slope = dot(shape.xyz, vec3(ray, -1.0));
   if (abs(slope) < 1e-3)
   {
     return 4.0;
   }
   // the centre from where the ray is at the centre's depth, so that no large numbers cancel
-  vec2 center = toCenter * (eyeRayStep.zw + interval.x * eyeRayStep.xy);
+  vec2 center = unshear(toCenter * (eyeRayStep.zw + interval.x * eyeRayStep.xy));
   float deeper = dot(shape.xy, center) / slope;
   depth += deeper;
   vec3 offset = vec3(deeper * ray - center, deeper) / shape.w;
@@ -60,20 +58,17 @@ float getDistance(vec4 shape, vec4 interval, vec2 pixel, out float depth)
 // nothing there.
 bool isClipped(vec2 pixel, float depth)
 {
-  vec4 ray = eyeRay + vec4(pixel, pixel) * eyeRayStep;
+  vec4 ray = getRay(pixel);
   vec4 position = vec4(ray.zw + depth * ray.xy, -depth, 1.0);
-  float reach = 0.71 * (fineSize - 1.0) * length(getEyeOffset(vec2(1.0), depth));
+  float diagonal = max(
+    length(getEyeOffset(vec2(1.0), depth)), length(getEyeOffset(vec2(1.0, -1.0), depth)));
+  float reach = 0.71 * (fineSize - 1.0) * diagonal;
   bool clipped = false;
   for (int i = 0; i < numberOfClippingPlanes; ++i)
   {
     clipped = clipped || dot(clippingPlanes[i], position) < -reach;
   }
   return clipped;
-}
-
-bool facesViewer(vec3 normal, vec2 pixel)
-{
-  return dot(normal, vec3(eyeRay.xy + pixel * eyeRayStep.xy, -1.0)) <= 0.0;
 }
 
 // Depth of the surface at a pixel's own centre.

@@ -6,6 +6,7 @@ uniform ivec2 psBegin;     // pixels outside of [begin, end) are not to be read
 uniform ivec2 psEnd;
 uniform mat4 psVCDC;       // from the eye to clip coordinates
 uniform mat4 psEyeToView;  // to the view coordinates of VTK's shaders
+uniform mat3 psNormalToView;
 uniform bool psHasCoverage; // the normal's length is the share of the pixel that is covered
 float psCoverage;
 float psFragCoordZ;        // stands for gl_FragCoord.z

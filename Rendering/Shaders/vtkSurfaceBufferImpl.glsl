@@ -29,4 +29,4 @@
     psFrontFacing = true;
     psGeometry.xyz -= psFacing * length(psGeometry.xyz) * psToViewer;
   }
-  vec3 psNormalVC = mat3(psEyeToView) * psGeometry.xyz;
+  vec3 psNormalVC = psNormalToView * psGeometry.xyz;

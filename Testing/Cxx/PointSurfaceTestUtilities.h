@@ -7,6 +7,7 @@
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
+#include "vtkMinimalStandardRandomSequence.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -112,6 +113,50 @@ inline vtkSmartPointer<vtkPolyData> MakeSphereCloud(int count)
   cloud->SetPoints(points);
   cloud->GetPointData()->SetNormals(normals);
   cloud->GetPointData()->AddArray(radii);
+  return cloud;
+}
+
+/**
+ * Two spheres of radius 1 and 0.5, the small one partly before the other, sampled at random, with
+ * normals, scalars from -1 to 1 and radii that vary.
+ */
+inline vtkSmartPointer<vtkPolyData> MakeTwoSpheres(int count)
+{
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(7);
+  auto next = [&]()
+  {
+    random->Next();
+    return random->GetValue();
+  };
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  normals->SetName("Normals");
+  vtkNew<vtkFloatArray> radii;
+  radii->SetName("radius");
+  vtkNew<vtkFloatArray> height;
+  height->SetName("height");
+  const double spacing = std::sqrt(4.0 * vtkMath::Pi() / count);
+  for (int i = 0; i < count; ++i)
+  {
+    const double z = 2.0 * next() - 1.0;
+    const double angle = 2.0 * vtkMath::Pi() * next();
+    const double r = std::sqrt(1.0 - z * z);
+    const double n[3] = { r * std::cos(angle), r * std::sin(angle), z };
+    const double size = i % 2 ? 1.0 : 0.5;
+    const double shift = i % 2 ? 0.0 : 1.1;
+    points->InsertNextPoint(
+      size * n[0] + 0.4 * shift, size * n[1] + 0.2 * shift, size * n[2] + shift);
+    normals->InsertNextTuple(n);
+    radii->InsertNextValue(static_cast<float>(2.0 * size * spacing * (1.0 + 0.4 * next())));
+    height->InsertNextValue(static_cast<float>(n[1]));
+  }
+  auto cloud = vtkSmartPointer<vtkPolyData>::New();
+  cloud->SetPoints(points);
+  cloud->GetPointData()->SetNormals(normals);
+  cloud->GetPointData()->AddArray(radii);
+  cloud->GetPointData()->SetScalars(height);
   return cloud;
 }
 

@@ -9,15 +9,11 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkFieldData.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkImageSpacePointMapper.h"
 #include "vtkMath.h"
-#include "vtkMinimalStandardRandomSequence.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -34,42 +30,6 @@ using namespace PointSurfaceTest;
 namespace
 {
 Checks check;
-
-/// Two spheres, one partly before the other, sampled at random, with scalars.
-vtkSmartPointer<vtkPolyData> MakeCloud(int count)
-{
-  vtkNew<vtkMinimalStandardRandomSequence> random;
-  random->SetSeed(7);
-  auto next = [&]()
-  {
-    random->Next();
-    return random->GetValue();
-  };
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkFloatArray> normals;
-  normals->SetNumberOfComponents(3);
-  normals->SetName("Normals");
-  vtkNew<vtkFloatArray> height;
-  height->SetName("height");
-  for (int i = 0; i < count; ++i)
-  {
-    const double z = 2.0 * next() - 1.0;
-    const double angle = 2.0 * vtkMath::Pi() * next();
-    const double r = std::sqrt(1.0 - z * z);
-    const double n[3] = { r * std::cos(angle), r * std::sin(angle), z };
-    const double size = i % 2 ? 1.0 : 0.5;
-    const double shift = i % 2 ? 0.0 : 1.1;
-    points->InsertNextPoint(
-      size * n[0] + 0.4 * shift, size * n[1] + 0.2 * shift, size * n[2] + shift);
-    normals->InsertNextTuple(n);
-    height->InsertNextValue(static_cast<float>(n[1]));
-  }
-  auto cloud = vtkSmartPointer<vtkPolyData>::New();
-  cloud->SetPoints(points);
-  cloud->GetPointData()->SetNormals(normals);
-  cloud->GetPointData()->SetScalars(height);
-  return cloud;
-}
 
 struct Scene
 {
@@ -89,7 +49,7 @@ struct Stage
 
   Stage(const Scene& scene, int backend)
   {
-    this->Mapper->SetInputData(MakeCloud(scene.Points));
+    this->Mapper->SetInputData(MakeTwoSpheres(scene.Points));
     this->Mapper->SetRadius(1.7 * std::sqrt(4.0 * vtkMath::Pi() / scene.Points));
     this->Mapper->SetScalarRange(-1.0, 1.0);
     this->Mapper->SetScalarVisibility(scene.Colors);

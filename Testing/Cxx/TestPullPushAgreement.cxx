@@ -1,84 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Both back ends of vtkPullPushMapper with all departures from the paper off, beside the
 // double-precision reference, from the same projected buffer: viewports of many sizes, perspective
-// and parallel projection, clouds with and without colours and with a radius for each point.
+// and parallel projection, sheared pictures, clouds with and without colours and with a radius for
+// each point.
 
+#include "PointSurfaceTestUtilities.h"
 #include "SurfaceBufferComparison.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
-#include "vtkMath.h"
-#include "vtkMinimalStandardRandomSequence.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkPullPushMapper.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkTransform.h"
 
 #include <cmath>
 #include <iostream>
 #include <string>
 
+using namespace PointSurfaceTest;
+
 namespace
 {
-/// Two spheres, one partly before the other, sampled at random; scalars; radii that vary.
-vtkNew<vtkPolyData> MakeCloud(int count)
-{
-  vtkNew<vtkMinimalStandardRandomSequence> random;
-  random->SetSeed(7);
-  auto next = [&]()
-  {
-    random->Next();
-    return random->GetValue();
-  };
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkFloatArray> normals;
-  normals->SetNumberOfComponents(3);
-  normals->SetName("Normals");
-  vtkNew<vtkFloatArray> radii;
-  radii->SetName("radius");
-  vtkNew<vtkFloatArray> height;
-  height->SetName("height");
-  const double spacing = std::sqrt(4.0 * vtkMath::Pi() / count);
-  for (int i = 0; i < count; ++i)
-  {
-    const double z = 2.0 * next() - 1.0;
-    const double angle = 2.0 * vtkMath::Pi() * next();
-    const double r = std::sqrt(1.0 - z * z);
-    const double n[3] = { r * std::cos(angle), r * std::sin(angle), z };
-    const double size = i % 2 ? 1.0 : 0.5;
-    const double shift = i % 2 ? 0.0 : 1.1;
-    points->InsertNextPoint(
-      size * n[0] + 0.4 * shift, size * n[1] + 0.2 * shift, size * n[2] + shift);
-    normals->InsertNextTuple(n);
-    radii->InsertNextValue(static_cast<float>(2.0 * size * spacing * (1.0 + 0.4 * next())));
-    height->InsertNextValue(static_cast<float>(n[1]));
-  }
-  vtkNew<vtkPolyData> cloud;
-  cloud->SetPoints(points);
-  cloud->GetPointData()->SetNormals(normals);
-  cloud->GetPointData()->AddArray(radii);
-  cloud->GetPointData()->SetScalars(height);
-  return cloud;
-}
-
 struct Scene
 {
   int Width, Height, Points;
   bool Parallel, Colors;
   double Zoom;
   int MinimumCovered;
+  double Shear = 0.0; ///< of the picture: x by that times y
 };
 
 bool Compare(const Scene& scene, int backend)
 {
   vtkNew<vtkPullPushMapper> mapper;
-  mapper->SetInputData(MakeCloud(scene.Points));
+  mapper->SetInputData(MakeTwoSpheres(scene.Points));
   mapper->SetScalarRange(-1.0, 1.0);
   mapper->SetScalarVisibility(scene.Colors);
   mapper->SetToPublished();
@@ -98,6 +57,10 @@ bool Compare(const Scene& scene, int backend)
   renderer->GetActiveCamera()->SetParallelProjection(scene.Parallel);
   renderer->GetActiveCamera()->Azimuth(20.0);
   renderer->GetActiveCamera()->Zoom(scene.Zoom);
+  vtkNew<vtkTransform> shear;
+  const double matrix[16] = { 1, scene.Shear, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  shear->SetMatrix(matrix);
+  renderer->GetActiveCamera()->SetUserTransform(shear);
   renderer->ResetCameraClippingRange();
   window->Render();
 
@@ -112,7 +75,7 @@ bool Compare(const Scene& scene, int backend)
   std::cout << (backend == vtkPullPushMapper::CPU ? "CPU, " : "OpenGL, ") << scene.Width << " x "
             << scene.Height << ", " << scene.Points << " points, "
             << (scene.Parallel ? "parallel" : "perspective") << (scene.Colors ? ", colours" : "")
-            << ", zoom " << scene.Zoom << ": ";
+            << ", zoom " << scene.Zoom << ", shear " << scene.Shear << ": ";
   comparison.Print(std::cout);
   // the spheres fill a part of any viewport: nothing to compare would be no agreement
   const bool agrees = comparison.Agrees() && comparison.Covered >= scene.MinimumCovered;
@@ -131,6 +94,8 @@ int TestPullPushAgreement(int, char*[])
     { 512, 512, 300, false, false, 1.5, 100000 },
     { 513, 301, 5000, true, true, 1.5, 40000 },
     { 257, 640, 5000, false, false, 6.0, 100000 },
+    { 400, 300, 2000, false, true, 1.5, 40000, 0.5 },
+    { 400, 300, 300, true, false, 1.5, 40000, -0.7 },
     { 64, 64, 100000, true, false, 1.5, 2000 },
     { 33, 17, 2000, false, true, 1.5, 100 },
     { 3, 2, 2000, false, true, 1.5, 4 },

@@ -62,6 +62,12 @@ def shear_picture(scene):
     scene.camera.SetUserTransform(transform)
 
 
+def sheared_view(scene):
+    transform = vtkTransform()
+    transform.SetMatrix([1, 0.4, 0, 0, 0, 1, 0, 0, 0.2, 0, 1, 0, 0, 0, 0, 1])
+    scene.camera.SetUserViewTransform(transform)
+
+
 def off_axis(scene):
     """A screen beside the viewer, as in a cave."""
     camera = scene.camera
@@ -112,6 +118,8 @@ CASES = {
     "oblique view": look_oblique,
     "sheared picture": shear_picture,
     "sheared picture, parallel": lambda s: (s.camera.ParallelProjectionOn(), shear_picture(s)),
+    "sheared view": sheared_view,
+    "sheared view, parallel": lambda s: (s.camera.ParallelProjectionOn(), sheared_view(s)),
     "turned and stretched picture": stretch_picture,
     "wide window": lambda s: s.window.SetSize(301, 149),
     "off-centre window": lambda s: s.camera.SetWindowCenter(0.4, -0.3),

@@ -245,10 +245,10 @@ bool PullPushReference::EllipseContains(
   const double clipW = p[14] * -pixel.MinimumDepth + p[15];
   const double width = this->Levels[0].GetWidth();
   const double height = this->Levels[0].GetHeight();
-  const double eyeX =
-    (center[0] - pixelCenter[0] - pixel.Displacement[0]) * 2.0 * clipW / (width * p[0]);
-  const double eyeY =
-    (center[1] - pixelCenter[1] - pixel.Displacement[1]) * 2.0 * clipW / (height * p[5]);
+  const double clipX = (center[0] - pixelCenter[0] - pixel.Displacement[0]) * 2.0 * clipW / width;
+  const double clipY = (center[1] - pixelCenter[1] - pixel.Displacement[1]) * 2.0 * clipW / height;
+  const double eyeY = clipY / p[5];
+  const double eyeX = (clipX - p[1] * eyeY) / p[0]; // a camera's transform may shear the picture
 
   double distance2 = eyeX * eyeX + eyeY * eyeY;
   const double tilt = std::hypot(pixel.Normal[0], pixel.Normal[1]);
