@@ -2,6 +2,7 @@
 #include "vtkImageSpacePass.h"
 
 #include "vtkDepthStep.h"
+#include "vtkEyeFrame.h"
 #include "vtkImageSpaceDepth.h"
 #include "vtkImageSpaceReadFS.h"
 #include "vtkImageSpaceWriteFS.h"
@@ -150,8 +151,11 @@ public:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last frame; cleared when it releases us
 
   std::array<int, 4> Rectangle{};
-  vtkNew<vtkMatrix4x4> VCDC;
+  vtkNew<vtkMatrix4x4> VCDC; // from the eye to clip coordinates; see vtkEyeFrame
+  vtkNew<vtkMatrix4x4> EyeToView;
 
+  void SetCamera(vtkRenderer* renderer);
+  void SetCameraUniforms(vtkShaderProgram* program);
   void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
   bool IsBound() const;
 };
@@ -186,6 +190,37 @@ void vtkImageSpacePass::vtkInternals::Allocate(vtkOpenGLRenderWindow* window, in
   this->Framebuffer->AddColorAttachment(1, this->Normal);
   this->Framebuffer->AddDepthAttachment(this->Depth);
   state->PopFramebufferBindings();
+}
+
+void vtkImageSpacePass::vtkInternals::SetCamera(vtkRenderer* renderer)
+{
+  vtkMatrix4x4 *wcvc, *vcdc, *wcdc;
+  vtkMatrix3x3* normals;
+  static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera())
+    ->GetKeyMatrices(renderer, wcvc, normals, vcdc, wcdc);
+  vtkNew<vtkMatrix4x4> viewToEye;
+  vtkEyeFrame::FromCamera(wcvc, vcdc, viewToEye);
+  auto setMatrices = [&]
+  {
+    vtkMatrix4x4::Invert(viewToEye, this->EyeToView);
+    vtkMatrix4x4::Multiply4x4(this->EyeToView, vcdc, this->VCDC);
+  };
+  setMatrices();
+  const double* m = this->VCDC->GetData();
+  const double nearest = (m[14] + m[15]) / (m[10] + m[11]);
+  const double farthest = (m[14] - m[15]) / (m[10] - m[11]);
+  if (m[11] == 0.0 && nearest <= 0.0)
+  {
+    // a parallel view from within what is seen: all of it is to be in front of the eye
+    viewToEye->SetElement(3, 2, viewToEye->GetElement(3, 2) + 2.0 * nearest - farthest);
+    setMatrices();
+  }
+}
+
+void vtkImageSpacePass::vtkInternals::SetCameraUniforms(vtkShaderProgram* program)
+{
+  program->SetUniformMatrix("VCDC", this->VCDC);
+  program->SetUniformMatrix("eyeToView", this->EyeToView);
 }
 
 bool vtkImageSpacePass::vtkInternals::IsBound() const
@@ -278,11 +313,7 @@ void vtkImageSpacePass::Render(const vtkRenderState* s)
   const Outputs outputs = GetEnclosingOutputs(s);
   this->DrawDelegate(s, window, origin);
 
-  vtkMatrix4x4 *wcvc, *vcdc, *wcdc;
-  vtkMatrix3x3* normals;
-  static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera())
-    ->GetKeyMatrices(renderer, wcvc, normals, vcdc, wcdc);
-  internals.VCDC->DeepCopy(vcdc);
+  internals.SetCamera(renderer);
 
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_DEPTH_TEST);
@@ -378,7 +409,7 @@ void vtkImageSpacePass::ReadImage(vtkOpenGLRenderWindow* window, vtkSurfaceTarge
   program->SetUniformi("colors", internals.Color->GetTextureUnit());
   program->SetUniformi("normals", internals.Normal->GetTextureUnit());
   program->SetUniformi("depths", internals.Depth->GetTextureUnit());
-  program->SetUniformMatrix("VCDC", internals.VCDC);
+  internals.SetCameraUniforms(program);
   image.BindForWriting(window);
   internals.Read.Draw(window, 0, 0, internals.Rectangle[2], internals.Rectangle[3]);
   for (vtkTextureObject* texture : textures)
@@ -401,7 +432,7 @@ void vtkImageSpacePass::WriteImage(
   image.SetSamplers(program, "in");
   internals.Depth->Activate();
   program->SetUniformi("depths", internals.Depth->GetTextureUnit());
-  program->SetUniformMatrix("VCDC", internals.VCDC);
+  internals.SetCameraUniforms(program);
   program->SetUniform2i("origin", origin);
   pass.Draw(window, origin[0], origin[1], internals.Rectangle[2], internals.Rectangle[3]);
   internals.Depth->Deactivate();

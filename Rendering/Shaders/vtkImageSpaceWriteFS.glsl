@@ -17,7 +17,7 @@ void main()
   gl_FragData[1] = vec4(surface.xyz, surface.w > 0.0 ? 1.0 : 0.0);
 #elif OUTPUTS == 2
   vec2 place = 2.0 * (vec2(pixel) + 0.5) / vec2(textureSize(inSurface, 0)) - 1.0;
-  gl_FragData[1] = vec4(toPosition(place, surface.w), surface.w > 0.0 ? 1.0 : 0.0);
+  gl_FragData[1] = surface.w > 0.0 ? vec4(toPosition(place, surface.w), 1.0) : vec4(0.0);
   gl_FragData[2] = vec4(surface.xyz, surface.w > 0.0 ? 1.0 : 0.0);
 #endif
   // what no filter has changed keeps its depth to the last bit

@@ -36,11 +36,13 @@
 #include "vtkSphereSource.h"
 #include "vtkSurfaceSmoothingPass.h"
 #include "vtkTestUtilities.h"
+#include "vtkTransform.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <GL/gl.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -148,6 +150,8 @@ struct View
 {
   vtkNew<vtkRenderer> Renderer;
   int X = 0, Y = 0, Width, Height;
+  std::array<double, 3> Eye{}; // in world coordinates, as of the next
+  std::array<double, 3> Direction{};
   vtkNew<vtkRenderWindow> Window;
 
   View(int width, int height)
@@ -209,28 +213,42 @@ struct View
       depths->GetPointer(0), depths->GetPointer(0) + depths->GetNumberOfValues());
   }
 
-  double ToDistance(double depth)
+  /// Distances from the eye along the direction of view, in world units; 0 for the background.
+  std::vector<double> ReadDistances()
   {
-    if (depth >= 1.0)
+    const std::vector<float> depths = this->ReadWindowDepths();
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    vtkNew<vtkMatrix4x4> toWorld;
+    vtkMatrix4x4::Invert(camera->GetCompositeProjectionTransformMatrix(
+                           this->Renderer->GetTiledAspectRatio(), -1.0, 1.0),
+      toWorld);
+    std::vector<double> distances(depths.size(), 0.0);
+    for (int i = 0; i < this->Width * this->Height; ++i)
     {
-      return 0.0;
+      if (depths[i] >= 1.0f)
+      {
+        continue;
+      }
+      double p[4] = { 2.0 * (i % this->Width + 0.5) / this->Width - 1.0,
+        2.0 * (i / this->Width + 0.5) / this->Height - 1.0, 2.0 * depths[i] - 1.0, 1.0 };
+      toWorld->MultiplyPoint(p, p);
+      for (int k = 0; k < 3; ++k)
+      {
+        distances[i] += (p[k] / p[3] - this->Eye[k]) * this->Direction[k];
+      }
     }
-    vtkMatrix4x4* m = this->Renderer->GetActiveCamera()->GetProjectionTransformMatrix(
-      this->Renderer->GetTiledAspectRatio(), -1.0, 1.0);
-    const double ndc = 2.0 * depth - 1.0;
-    return -(m->GetElement(2, 3) - ndc * m->GetElement(3, 3)) /
-      (ndc * m->GetElement(3, 2) - m->GetElement(2, 2));
+    return distances;
   }
 
   ImageSpaceReference Read()
   {
     ImageSpaceReference image(this->Width, this->Height);
     const std::vector<double> colors = this->ReadColors();
-    const std::vector<float> depths = this->ReadWindowDepths();
+    const std::vector<double> distances = this->ReadDistances();
     for (int i = 0; i < this->Width * this->Height; ++i)
     {
       auto& pixel = image.At(i % this->Width, i / this->Width);
-      pixel.Depth = this->ToDistance(depths[i]);
+      pixel.Depth = distances[i];
       std::copy_n(&colors[3 * i], 3, pixel.Color.begin());
     }
     return image;
@@ -275,10 +293,89 @@ void Compare(View& view, ImageSpaceReference& expected, const std::string& name)
   check.AtMost(worstColor, 1.0, name + ": largest difference in colour, grey levels");
 }
 
-void TestAgainstReference(bool parallel, bool offOrigin)
+/// A camera, set up from that of ResetCamera().
+struct CameraKind
 {
-  const std::string name =
-    std::string(parallel ? "parallel" : "perspective") + (offOrigin ? ", off the origin: " : ": ");
+  const char* Name;
+  std::function<void(View&)> SetUp;
+};
+
+void SetEye(View& view)
+{
+  vtkCamera* camera = view.Renderer->GetActiveCamera();
+  camera->GetPosition(view.Eye.data());
+  camera->GetDirectionOfProjection(view.Direction.data());
+}
+
+void LookInParallel(View& view)
+{
+  view.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  SetEye(view);
+}
+
+/// From amid the spheres, with the near plane behind the camera.
+void LookFromWithin(View& view)
+{
+  LookInParallel(view);
+  vtkCamera* camera = view.Renderer->GetActiveCamera();
+  camera->SetPosition(0.0, 0.0, 0.0);
+  camera->SetFocalPoint(0.0, 0.0, -1.0);
+  camera->SetClippingRange(-2.0, 3.0);
+  view.Eye = { 0.0, 0.0, 10.0 };
+}
+
+vtkSmartPointer<vtkTransform> MakeShear()
+{
+  const double matrix[16] = { 1, 0.3, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  auto transform = vtkSmartPointer<vtkTransform>::New();
+  transform->SetMatrix(matrix);
+  return transform;
+}
+
+void ShearPicture(View& view)
+{
+  view.Renderer->GetActiveCamera()->SetUserTransform(MakeShear());
+  SetEye(view);
+}
+
+/// The view is sheared so that depth depends on what is across it.
+void ShearView(View& view)
+{
+  const double matrix[16] = { 1, 0.3, 0, 0, 0, 1, 0, 0, 0.2, 0, 1, 0, 0, 0, 0, 1 };
+  vtkNew<vtkTransform> transform;
+  transform->SetMatrix(matrix);
+  view.Renderer->GetActiveCamera()->SetUserViewTransform(transform);
+  SetEye(view);
+  view.Direction = { -0.2 / std::hypot(1.0, 0.2), 0.0, -1.0 / std::hypot(1.0, 0.2) };
+}
+
+/// A screen beside the eye, and turned. Both are in view coordinates, whose origin is ten behind.
+void LookThroughScreen(View& view)
+{
+  const double screen[3][3] = { { -1.3, -1.5, -11.0 }, { 1.4, -1.4, -11.8 }, { 1.3, 1.2, -12.0 } };
+  double eye[3] = { 0.4, 0.2, -6.0 };
+  vtkCamera* camera = view.Renderer->GetActiveCamera();
+  camera->SetEyePosition(eye);
+  camera->SetEyeSeparation(0.0);
+  camera->UseOffAxisProjectionOn();
+  camera->SetScreenBottomLeft(screen[0][0], screen[0][1], screen[0][2]);
+  camera->SetScreenBottomRight(screen[1][0], screen[1][1], screen[1][2]);
+  camera->SetScreenTopRight(screen[2][0], screen[2][1], screen[2][2]);
+  camera->SetPosition(0.0, 0.0, 10.0);
+  camera->SetFocalPoint(0.0, 0.0, -490.0); // the near plane is a thousandth of that away
+  double sides[2][3];
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkMath::Subtract(screen[i + 1], screen[i], sides[i]);
+  }
+  vtkMath::Cross(sides[1], sides[0], view.Direction.data());
+  vtkMath::Normalize(view.Direction.data());
+  view.Eye = { eye[0], eye[1], eye[2] + 10.0 };
+}
+
+void TestAgainstReference(const CameraKind& camera, bool offOrigin)
+{
+  const std::string name = std::string(camera.Name) + (offOrigin ? ", off the origin: " : ": ");
   View view(200, 180);
   if (offOrigin)
   {
@@ -286,7 +383,7 @@ void TestAgainstReference(bool parallel, bool offOrigin)
   }
   AddPoints(view.Renderer, 40000);
   view.Renderer->ResetCamera();
-  view.Renderer->GetActiveCamera()->SetParallelProjection(parallel);
+  camera.SetUp(view);
   view.Renderer->GetActiveCamera()->Zoom(1.4);
 
   vtkNew<vtkBackgroundFillPass> fill;
@@ -499,6 +596,30 @@ void TestLines()
   check.AtMost(count.Inside, 900.0, "feature lines of a cube: area");
 }
 
+/// SSAO over a pass of ours, which hands on positions and normals, beside SSAO alone.
+void TestPositions(const CameraKind& camera)
+{
+  View corner(200, 200);
+  AddCube(corner.Renderer);
+  corner.Renderer->AddActor(MakeSphere(30, 0.55));
+  corner.Renderer->ResetCamera();
+  camera.SetUp(corner);
+  vtkNew<vtkSSAOPass> ssao;
+  ssao->SetRadius(0.5);
+  ssao->SetBias(0.02);
+  corner.Render({});
+  const std::vector<double> plain = corner.ReadColors();
+  corner.Render({ ssao });
+  const std::vector<double> shaded = corner.ReadColors();
+  const int occludedPixels = CountDifferent(plain, shaded);
+  const std::string name = camera.Name;
+  check.AtLeast(occludedPixels, 500, name + ", SSAO alone: pixels changed");
+  vtkNew<vtkBackgroundFillPass> nothing; // of a mesh
+  corner.Render({ nothing, ssao });
+  check.AtMost(CountDifferent(shaded, corner.ReadColors()), 0.05 * occludedPixels,
+    name + ", SSAO over ours gets positions and normals: pixels that differ from SSAO alone");
+}
+
 /// With VTK's own passes, in any order: each leaves its mark, and the surface stays whole.
 void TestChains()
 {
@@ -539,16 +660,9 @@ void TestChains()
   AddCube(corner.Renderer);
   corner.Renderer->AddActor(MakeSphere(30, 0.55));
   corner.Renderer->ResetCamera();
-  corner.Render({});
-  const std::vector<double> plain = corner.ReadColors();
   corner.Render({ ssao });
   const std::vector<double> shaded = corner.ReadColors();
-  const int occludedPixels = CountDifferent(plain, shaded);
-  check.AtLeast(occludedPixels, 500, "SSAO alone: pixels changed");
   vtkNew<vtkBackgroundFillPass> nothing; // of a mesh
-  corner.Render({ nothing, ssao });
-  check.AtMost(CountDifferent(shaded, corner.ReadColors()), 0.05 * occludedPixels,
-    "SSAO over ours gets positions and normals: pixels that differ from SSAO alone");
   corner.Render({ ssao, nothing });
   check(corner.ReadColors() == shaded, "ours over SSAO changes nothing where nothing is to do");
   vtkNew<vtkSilhouettePass> outlines;
@@ -627,12 +741,21 @@ struct Gallery
 
 int TestImageSpacePasses(int argc, char* argv[])
 {
-  TestAgainstReference(false, false);
-  TestAgainstReference(true, true);
+  TestAgainstReference({ "perspective", SetEye }, false);
+  TestAgainstReference({ "parallel", LookInParallel }, true);
+  TestAgainstReference({ "parallel, from within", LookFromWithin }, false);
+  TestAgainstReference({ "sheared picture", ShearPicture }, false);
+  TestAgainstReference({ "sheared view", ShearView }, false);
+  TestAgainstReference({ "off-axis, a slanted screen", LookThroughScreen }, true);
   TestNothingToDo(false, false);
   TestNothingToDo(true, true);
   TestUniformFrames();
   TestLines();
+  for (const CameraKind& camera : { CameraKind{ "perspective", SetEye },
+         { "off-axis, a slanted screen", LookThroughScreen }, { "sheared picture", ShearPicture } })
+  {
+    TestPositions(camera);
+  }
   TestChains();
   TestWindows();
 
