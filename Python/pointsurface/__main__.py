@@ -4,7 +4,7 @@
 import argparse
 import sys
 
-from . import convert, demo, info, render, view
+from . import bench, convert, demo, info, render, view
 from .errors import CannotRender, WrongUse
 
 CANNOT_RENDER = 1
@@ -31,6 +31,7 @@ def main():
         ("view", view, "show a file's points in a window, with keys to change how"),
         ("info", info, "tell what a file holds"),
         ("convert", convert, "write a file's points, with normals, radii or as splats"),
+        ("bench", bench, "measure speed against error, beside what VTK draws points with"),
         ("demo", demo, "draw a file from points, and its mesh beside it"),
     ):
         command_parser = commands.add_parser(name, help=explanation, description=command.__doc__)
