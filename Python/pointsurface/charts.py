@@ -57,7 +57,7 @@ def _add(chart, name, points, color, marker=vtkPlotPoints.NONE):
         array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
         array.SetName(column)
         table.AddColumn(array)
-    plot = chart.AddPlot(vtkChart.LINE)
+    plot = chart.AddPlot(vtkChart.LINE if len(points) > 1 else vtkChart.POINTS)
     plot.SetInputData(table, 0, 1)
     plot.SetColor(*color, 255)
     plot.SetWidth(1.5)
