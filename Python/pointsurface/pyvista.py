@@ -19,12 +19,12 @@ import numpy as np
 import pyvista as pv
 
 from . import vtkIsosurfacePoints, vtkPointNormals, vtkPointSpacing
-from .methods import METHODS
+from .methods import METHODS, needs_splats, splat_filter
 
 
 def add_point_surface(
     plotter: pv.BasePlotter,
-    cloud: pv.DataSet | np.ndarray,
+    cloud: pv.DataSet | pv.MultiBlock | np.ndarray,
     method: str = "pull-push",
     *,
     radius: float | str | None = None,
@@ -38,11 +38,14 @@ def add_point_surface(
     ----------
     plotter : pyvista.BasePlotter
         The plotter, at the subplot that is active.
-    cloud : pyvista.DataSet or numpy.ndarray
+    cloud : pyvista.DataSet, pyvista.MultiBlock or numpy.ndarray
         The points, or an array of their coordinates (n x 3), used without a copy where VTK allows. Normals, if
-        ``cloud.point_data.active_normals`` has none, and radii are estimated once.
+        ``cloud.point_data.active_normals`` has none, and radii are estimated once. Blocks are one surface; how each is
+        displayed is told by ``actor.mapper.GetCompositeDataDisplayAttributes()``, which is indexed by block as
+        PyVista's ``mapper.block_attr`` is.
     method : str, default: "pull-push"
-        How the surface is made: a key of ``pointsurface.methods.METHODS``.
+        How the surface is made: a key of ``pointsurface.methods.METHODS``. For ``"algebraic-splats"``, splats are
+        fitted to points that are none.
     radius : float or str, optional
         The radius of all points in the units of their coordinates, or the name of a point array. Default: the array
         ``"radius"`` if there is one, else an estimate.
@@ -79,29 +82,49 @@ def add_point_surface(
     if method not in METHODS:
         raise ValueError(f"there is no method {method!r}; use one of {', '.join(METHODS)}")
     cloud = pv.wrap(cloud)
-    if cloud.n_points == 0:
+    if not any(block.n_points for block in _blocks(cloud)):
         raise ValueError("the cloud has no points")
     mapper = METHODS[method]()
     if isinstance(radius, str):
-        if radius not in cloud.point_data:
-            raise ValueError(f"the points have no array {radius!r} of radii; they have {cloud.point_data.keys()}")
+        for block in _blocks(cloud):
+            if radius not in block.point_data:
+                raise ValueError(f"the points have no array {radius!r} of radii; they have {block.point_data.keys()}")
         mapper.SetRadiusArray(radius)
     elif radius is not None:
         mapper.SetRadius(radius)
     mapper.SetRadiusScale(radius_scale)
     mapper.SetSupersampling(supersampling)
 
+    cloud = _drawable(method, cloud)
     # All of the scalars' colours, the bar and the camera are PyVista's; then the mapper alone is another one.
     render = kwargs.pop("render", True)
     actor = plotter.add_mesh(cloud, style="points", render=False, **kwargs)
     theirs = actor.mapper
     mapper.ShallowCopy(theirs)
     mapper.SetInputConnection(theirs.GetInputConnection(0, 0))
+    if isinstance(cloud, pv.MultiBlock):
+        mapper.SetCompositeDataDisplayAttributes(theirs.GetCompositeDataDisplayAttributes())
     actor.SetMapper(mapper)
     actor.prop.style = "surface"
     if render:
         plotter.render()
     return actor
+
+
+def _blocks(cloud):
+    """The data sets of a cloud: itself, or those of its blocks that are not empty."""
+    if isinstance(cloud, pv.MultiBlock):
+        return [block for block in cloud.recursive_iterator(skip_none=True, skip_empty=True)]
+    return [cloud]
+
+
+def _drawable(method, cloud):
+    """What the mapper of a method draws of a cloud, which has points."""
+    if isinstance(cloud, pv.MultiBlock):
+        return pv.MultiBlock({name: _drawable(method, cloud[name]) for name in cloud.keys()})
+    if not needs_splats(method, cloud):
+        return cloud
+    return _run(splat_filter(cloud), cloud)
 
 
 @pv.register_dataset_accessor("point_surface", pv.PolyData)
@@ -158,6 +181,38 @@ class PointsAccessor:
         estimate = vtkPointNormals()
         estimate.SetNumberOfNeighbors(neighbors)
         return _run(estimate, self._cloud)
+
+
+    def splats(self, order: int = 3, neighbors: int = 64, tolerance: float = 0.0) -> pv.PolyData:
+        """Return few polynomial splats that stand for the points, to be added with the method ``"algebraic-splats"``.
+
+        Parameters
+        ----------
+        order : int, default: 3
+            The highest order of the polynomials, 1 to 4.
+        neighbors : int, default: 64
+            How many points a splat is fitted to; see ``vtkAlgebraicSplats``.
+        tolerance : float, default: 0.0
+            If over 0, each splat has the lowest order whose residual is not above this.
+
+        Returns
+        -------
+        pyvista.PolyData
+            A point for each splat, with its normal, ``"radius"``, ``"SplatCoefficients"`` and more.
+
+        Examples
+        --------
+        >>> import pyvista as pv
+        >>> import pointsurface.pyvista
+        >>> cloud = pv.PolyData(pv.Icosphere(nsub=5).points)
+        >>> cloud.point_surface.splats(order=2)["SplatCoefficients"].shape[1]
+        6
+        """
+        filter_ = splat_filter(self._cloud)
+        filter_.SetOrder(order)
+        filter_.SetNumberOfNeighbors(neighbors)
+        filter_.SetTolerance(tolerance)
+        return _run(filter_, self._cloud)
 
 
 @pv.register_dataset_accessor("point_surface", pv.ImageData)

@@ -39,7 +39,7 @@ def make(subject, arguments):
     if arguments.background:
         renderer.SetBackground(arguments.background)
     if arguments.view:
-        look_from(renderer, *VIEWS[arguments.view])
+        look_from(renderer, subject, *VIEWS[arguments.view])
     if arguments.camera:
         place_camera(renderer, arguments.camera)
     passes.apply(renderer, passes.by_names(arguments.passes, renderer))
@@ -102,13 +102,14 @@ def set_lights(renderer, lights):
         renderer.AddLight(light)
 
 
-def look_from(renderer, direction, up):
-    """Turns the camera to all that there is, from a direction."""
+def look_from(renderer, subject, direction, up):
+    """Turns the camera to all of the subject's points, whatever stands for them, from a direction."""
     camera = renderer.GetActiveCamera()
     camera.SetFocalPoint(0, 0, 0)
     camera.SetPosition(direction)
     camera.SetViewUp(up)
-    renderer.ResetCamera()
+    renderer.ResetCamera(subject.points.GetBounds())
+    renderer.ResetCameraClippingRange()
 
 
 def describe_camera(camera):

@@ -212,7 +212,7 @@ class Viewer:
 
     def _change_view(self, _key):
         self.view = _after(scene.VIEWS, self.view)
-        scene.look_from(self.renderer, *scene.VIEWS[self.view])
+        scene.look_from(self.renderer, self.subject, *scene.VIEWS[self.view])
 
     def _pick(self, _key):
         place = self.interactor.GetEventPosition()

@@ -23,7 +23,6 @@ from vtkmodules.vtkRenderingCore import (
     vtkColorTransferFunction,
     vtkPolyDataMapper,
     vtkPropPicker,
-    vtkRenderWindowInteractor,
     vtkTextActor,
     vtkVolume,
     vtkVolumeProperty,
@@ -31,6 +30,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  without it VTK crashes on text
 from vtkmodules.vtkRenderingLOD import vtkLODActor, vtkQuadricLODActor
+from vtkmodules.vtkRenderingUI import vtkGenericRenderWindowInteractor  # VTK's of 9.6 needs a display
 from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkSmartVolumeMapper
 
@@ -187,7 +187,7 @@ def test_levels_of_detail(mapper_class, actor_class):
     actor.SetMapper(scene.mapper)
     scene.renderer.RemoveActor(scene.actor)
     scene.renderer.AddActor(actor)
-    interactor = vtkRenderWindowInteractor()
+    interactor = vtkGenericRenderWindowInteractor()
     interactor.SetRenderWindow(scene.window)
     scene.window.SetDesiredUpdateRate(1e-4)
     assert difference(scene.color(), full) < 0.2

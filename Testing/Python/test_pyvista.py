@@ -9,6 +9,7 @@ import pytest
 pv = pytest.importorskip("pyvista", reason="PyVista is not installed; the wheel's tests have it")
 
 import pointsurface.pyvista  # noqa: E402
+from pointsurface.methods import METHODS  # noqa: E402
 from pointsurface.pyvista import add_point_surface  # noqa: E402
 
 SIZE = (300, 300)
@@ -106,6 +107,59 @@ def test_wrong_use():
     plotter.close()
 
 
+@pytest.mark.parametrize("method", METHODS)
+def test_every_method(method):
+    sphere = fine_sphere()
+    cloud = pv.PolyData(sphere.points)
+
+    def from_one_place(add):
+        def add_and_look(plotter):
+            add(plotter)
+            plotter.camera_position = [(2, 2, 2), (0, 0, 0), (0, 0, 1)]
+
+        return covered(picture(add_and_look))
+
+    wanted = from_one_place(lambda plotter: plotter.add_mesh(sphere, color="tan"))
+    found = from_one_place(lambda plotter: add_point_surface(plotter, cloud, method=method, color="tan"))
+    assert wanted.sum() > 10000
+    assert (wanted ^ found).sum() < 0.05 * wanted.sum()
+
+
+def two_spheres(as_points):
+    blocks = {name: fine_sphere().translate((x, 0, 0)) for name, x in (("left", 0), ("right", 1.2))}
+    for name, block in blocks.items():
+        block["height"] = block.points[:, 2]
+    return pv.MultiBlock({name: block.cast_to_pointset() if as_points else block for name, block in blocks.items()})
+
+
+@pytest.mark.parametrize(
+    "keywords",
+    [{"color": "tan"}, {"scalars": "height", "cmap": "viridis", "show_scalar_bar": False}, {"multi_colors": ["red", "blue"]}],
+    ids=lambda keywords: "-".join(keywords),
+)
+def test_blocks_look_like_those_of_a_mesh(keywords):
+    wanted = picture(lambda plotter: plotter.add_mesh(two_spheres(False), smooth_shading=True, **keywords))
+    found = picture(lambda plotter: add_point_surface(plotter, two_spheres(True), **keywords))
+    inside = covered(wanted) & covered(found)
+    assert inside.sum() > 5000
+    assert (covered(wanted) ^ covered(found)).sum() < 0.04 * inside.sum()
+    assert np.abs(wanted - found)[inside].mean() < 5  # of 255
+
+
+def test_attributes_of_a_block():
+    def hide_one(plotter):
+        actor = add_point_surface(plotter, two_spheres(True), color="tan", radius=0.02)
+        attributes = actor.mapper.GetCompositeDataDisplayAttributes()
+        attributes[1].visible = False
+        attributes[2].color = "blue"
+
+    found = picture(hide_one)
+    rows, columns = np.nonzero(covered(found))
+    assert np.ptp(rows) == pytest.approx(np.ptp(columns), abs=5), "one sphere"
+    seen = found[covered(found)]
+    assert len(seen) > 5000 and (seen[:, 2] > seen[:, 0]).all()
+
+
 def test_accessors():
     sphere = pv.PolyData(fine_sphere().points)
     radii = sphere.point_surface.radii()["radius"]
@@ -113,6 +167,8 @@ def test_accessors():
     assert spacing < radii.mean() < 3 * spacing
     normals = sphere.point_surface.normals().point_data.active_normals
     assert np.abs(np.sum(normals * sphere.points, axis=1) * 2).min() > 0.99
+    splats = sphere.point_surface.splats(order=2, neighbors=100)
+    assert 20 < splats.n_points < 0.1 * sphere.n_points and splats["Residual"].max() < 1e-3
     grid = pv.ImageData(dimensions=(41, 41, 41), spacing=(0.05,) * 3, origin=(-1,) * 3)
     grid["distance"] = np.linalg.norm(grid.points, axis=1)
     surface = grid.point_surface.isosurface([0.5, 0.8])

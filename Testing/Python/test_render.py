@@ -247,7 +247,7 @@ def test_every_method_draws_the_surface(half_sphere, tmp_path, method):
     y, x = np.indices(seen.shape)
     distance = np.hypot(x - 29.5, y - 29.5)
     radius = np.sqrt(seen.sum() / np.pi)
-    assert radius > 15
+    assert radius == pytest.approx(18.6, abs=1)
     assert seen[distance < 0.9 * radius].mean() > 0.99 and not seen[distance > 1.1 * radius].any()
 
 

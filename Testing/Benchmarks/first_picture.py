@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""From import to the first picture of a million points, beside PyVista's own way of drawing points.
+
+    python3 Testing/Benchmarks/first_picture.py [--output [FILE]]
+
+Each figure comes from a process of its own, in which the clock starts before the first import and ends with the picture
+as an array; the median of some runs, of the wall's time and of the process' over all its threads. The points, of a sphere
+with bumps, are in the memory before, as an array of numpy. It needs PyVista, and so VTK's wheel; PYTHONPATH, if needed,
+must lead to the package pointsurface.
+"""
+
+import argparse
+import json
+import os
+import subprocess
+import sys
+import time
+from statistics import median
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+COUNT = 1_000_000
+RUNS = 5
+SIZE = (800, 600)
+
+
+def points_and_normals():
+    import numpy as np
+
+    i = np.arange(COUNT) + 0.5
+    z, angle = 1 - 2 * i / COUNT, np.pi * (1 + 5**0.5) * i
+    ring = np.sqrt(1 - z * z)
+    normals = np.stack([ring * np.cos(angle), ring * np.sin(angle), z], axis=1).astype(np.float32)
+    bumps = 1 + 0.05 * np.sin(8 * normals).prod(axis=1, keepdims=True)
+    return normals * bumps, normals
+
+
+def plotter():
+    import pyvista as pv
+
+    return pv.Plotter(off_screen=True, window_size=SIZE)
+
+
+def gaussian(points, _normals):
+    """PyVista's add_points(style="points_gaussian"), opaque spheres in place of light."""
+    scene = plotter()
+    scene.add_points(points, style="points_gaussian", color="tan", render_points_as_spheres=True, point_size=4)
+    return scene
+
+
+def squares(points, _normals):
+    """PyVista's add_points: flat squares."""
+    scene = plotter()
+    scene.add_points(points, color="tan", point_size=4)
+    return scene
+
+
+def surface(method, with_normals):
+    def add(points, normals):
+        import pyvista as pv
+        from pointsurface.pyvista import add_point_surface
+
+        scene = plotter()
+        cloud = pv.PolyData(points)
+        if with_normals:
+            cloud.point_data.active_normals = normals
+        add_point_surface(scene, cloud, method=method, color="tan", radius=0.006)
+        return scene
+
+    return add
+
+
+WAYS = {
+    'PyVista, `add_points(style="points_gaussian")`': gaussian,
+    "PyVista, `add_points()`, unlit squares": squares,
+    "pull-push, normals given": surface("pull-push", True),
+    "pull-push, normals estimated": surface("pull-push", False),
+    "direct, positions alone": surface("direct", False),
+    "image-space, normals given": surface("image-space", True),
+}
+
+
+def measure(name):
+    """One run in this process: milliseconds of the wall and of the process, as JSON."""
+    points, normals = points_and_normals()  # numpy is loaded before the clock starts, as the data are
+    start = time.perf_counter(), time.process_time()
+    scene = WAYS[name](points, normals)
+    picture = scene.screenshot(return_img=True)
+    end = time.perf_counter(), time.process_time()
+    assert (picture != picture[0, 0]).any(axis=2).mean() > 0.1, "nothing has been drawn"
+    from pointsurface.rendering import renderer_string
+
+    result = {"wall": end[0] - start[0], "process": end[1] - start[1], "renderer": renderer_string(scene.render_window)}
+    print(json.dumps(result))
+
+
+def measure_apart(name):
+    print(f"{name} ...", file=sys.stderr, flush=True)
+    command = [sys.executable, os.path.abspath(__file__), "--measure", name]
+    runs = [json.loads(subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout) for _ in range(RUNS)]
+    return {"renderer": runs[0]["renderer"], **{clock: median(run[clock] for run in runs) for clock in ("wall", "process")}}
+
+
+def table():
+    results = {name: measure_apart(name) for name in WAYS}
+    peer = results[next(iter(WAYS))]
+    lines = [
+        "# From import to the first picture of a million points",
+        "",
+        f"Milliseconds from before the first import (numpy and the points being there) to a picture of {SIZE[0]} x {SIZE[1]} as",
+        f"an array; the median of {RUNS} runs, each a process of its own: by the wall, and of the process over all its threads.",
+        f"Ratios are to the first row. OpenGL renderer: {peer['renderer']}.",
+        "",
+        "| way | wall | ratio | process | ratio |",
+        "| --- | ---: | ---: | ---: | ---: |",
+    ]
+    for name, result in results.items():
+        cells = [name]
+        for clock in ("wall", "process"):
+            cells += [f"{1000 * result[clock]:.0f}", f"{result[clock] / peer[clock]:.2f}"]
+        lines.append(f"| {' | '.join(cells)} |")
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    default_output = os.path.join(HERE, "first_picture.md")
+    parser.add_argument("--output", nargs="?", const=default_output, metavar="FILE", help="write the table to a file")
+    parser.add_argument("--measure", help=argparse.SUPPRESS)
+    arguments = parser.parse_args()
+    if arguments.measure:
+        measure(arguments.measure)
+        return
+    result = table()
+    print(result, end="")
+    if arguments.output:
+        from pointsurface.writers import write_whole
+
+        write_whole(arguments.output, result.encode())
+
+
+if __name__ == "__main__":
+    main()
