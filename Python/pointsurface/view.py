@@ -5,6 +5,7 @@ import itertools
 import json
 import os
 import signal
+import sys
 import time
 from copy import copy
 
@@ -24,6 +25,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 from . import passes, scene
+from .errors import CannotRender
 from .methods import METHODS
 from .options import add_scene, add_subject
 from .passes import PASSES
@@ -57,8 +59,10 @@ def run(arguments):
     subject = load(arguments.file, arguments.isovalue)
     if subject.remark:
         announce(subject.remark)
-    viewer = Viewer(subject, arguments, vtkRenderWindow(), vtkRenderWindowInteractor())
-    viewer.show()
+    window = vtkRenderWindow()
+    if sys.platform.startswith("linux") and not window.IsA("vtkXOpenGLRenderWindow"):
+        raise CannotRender(f"VTK would draw into a {window.GetClassName()}, unseen: unset VTK_DEFAULT_OPENGL_WINDOW")
+    Viewer(subject, arguments, window, vtkRenderWindowInteractor()).show()
 
 
 class Viewer:

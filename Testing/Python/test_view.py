@@ -217,9 +217,11 @@ def read_png(path):
 
 
 def start(path, folder, **environment):
+    environment = {**os.environ, **environment}
+    environment.pop("VTK_DEFAULT_OPENGL_WINDOW", None)  # the package set it when this process had no display
     return subprocess.Popen(
         [sys.executable, "-m", "pointsurface", "view", str(path), "--size", "400x300", "--view", "front"],
-        env={**os.environ, **environment}, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        env=environment, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
     )  # fmt: skip
 
@@ -239,7 +241,7 @@ def x_server():
         pytest.skip("needs the packages xvfb and xdotool")
     read_end, write_end = os.pipe()
     server = subprocess.Popen(
-        ["Xvfb", "-displayfd", str(write_end), "-screen", "0", "800x600x24", "-nolisten", "tcp"],
+        ["Xvfb", "-displayfd", str(write_end), "-screen", "0", "800x600x24", "-nolisten", "tcp", "-noreset"],
         pass_fds=[write_end], stderr=subprocess.DEVNULL,
     )  # fmt: skip
     os.close(write_end)
