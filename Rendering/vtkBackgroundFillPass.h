@@ -12,60 +12,21 @@
 #ifndef vtkBackgroundFillPass_h
 #define vtkBackgroundFillPass_h
 
-#include "vtkImageSpacePass.h"
+#include "vtkMaskFillPass.h"
 
-class VTKPOINTSURFACE_EXPORT vtkBackgroundFillPass : public vtkImageSpacePass
+class VTKPOINTSURFACE_EXPORT vtkBackgroundFillPass : public vtkMaskFillPass
 {
 public:
   static vtkBackgroundFillPass* New();
-  vtkTypeMacro(vtkBackgroundFillPass, vtkImageSpacePass);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * Iterations at most, 0 to 1000; each takes a pixel off every side of a hole, and they end when
-   * there is nothing left to fill. The paper used 1 to 3. Default 8, for
-   * points up to two pixels apart and gaps that are wider than four pixels.
-   */
-  vtkSetClampMacro(MaximumIterations, int, 0, 1000);
-  vtkGetMacro(MaximumIterations, int);
-  ///@}
-
-  ///@{
-  /**
-   * Fill only what has the surface on all sides, within half of MaximumIterations pixels. The
-   * paper's masks alone, which this adds to, fill each stair of an outline too, once an iteration.
-   * Default on.
-   */
-  vtkSetMacro(KeepOutlines, bool);
-  vtkGetMacro(KeepOutlines, bool);
-  vtkBooleanMacro(KeepOutlines, bool);
-  ///@}
-
-  /**
-   * Iterations of the last frame that filled a pixel; 0 in a frame without holes.
-   */
-  vtkGetMacro(LastFrameIterations, int);
-
-  void ReleaseGraphicsResources(vtkWindow* w) override;
+  vtkTypeMacro(vtkBackgroundFillPass, vtkMaskFillPass);
 
 protected:
-  vtkBackgroundFillPass();
-  ~vtkBackgroundFillPass() override;
-
-  void Filter(
-    vtkOpenGLRenderWindow* window, vtkSurfaceTarget*& image, vtkSurfaceTarget*& spare) override;
-
-  int MaximumIterations = 8;
-  bool KeepOutlines = true;
-  int LastFrameIterations = 0;
+  vtkBackgroundFillPass() = default;
+  ~vtkBackgroundFillPass() override = default;
 
 private:
   vtkBackgroundFillPass(const vtkBackgroundFillPass&) = delete;
   void operator=(const vtkBackgroundFillPass&) = delete;
-
-  class vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

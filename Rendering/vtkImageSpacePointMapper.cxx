@@ -355,35 +355,12 @@ double vtkImageSpacePointMapper::GetLastFrameAntialiasingMilliseconds()
 //------------------------------------------------------------------------------
 bool vtkImageSpacePointMapper::ReadProjectedBuffer(vtkImageData* buffer)
 {
-  vtkOpenGLRenderWindow* window = this->GetLastWindow();
   vtkInternals& internals = *this->Internals;
   const vtkPointSurfaceView& view = internals.View;
-  if (!window || view.Size[0] == 0)
+  if (!this->ReadProjection(view, internals.Projected, internals.ProjectedCPU, buffer))
   {
-    vtkErrorMacro("There is no projected buffer to read: render a frame with this mapper first.");
     return false;
   }
-  window->MakeCurrent();
-  const bool byCPU = this->LastFrameBackend == CPU;
-  auto readFloats = [&](vtkSurfaceTarget::Layer layer)
-  {
-    return byCPU ? internals.ProjectedCPU.ReadFloats(layer)
-                 : internals.Projected.ReadFloats(window, layer, view.Rectangle);
-  };
-  SetImageExtent(buffer, view.Size[0], view.Size[1], view.Rim * view.Supersampling);
-  AddLayer(buffer, readFloats(vtkSurfaceTarget::Shape), "Normals", 0, 3);
-  AddLayer(buffer, readFloats(vtkSurfaceTarget::Interval), "Depth", 0, 1);
-  if (byCPU ? internals.ProjectedCPU.HasColors() : internals.Projected.Has(vtkSurfaceTarget::Color))
-  {
-    AddLayer(buffer, readFloats(vtkSurfaceTarget::Color), "Colors", 0, 4);
-  }
-  if (byCPU ? internals.ProjectedCPU.HasIds() : internals.Projected.Has(vtkSurfaceTarget::Id))
-  {
-    AddIds(buffer,
-      byCPU ? internals.ProjectedCPU.ReadIds()
-            : internals.Projected.ReadIds(window, view.Rectangle));
-  }
-
   const Plan plan = this->MakePlan(view);
   vtkNew<vtkDoubleArray> distance;
   distance->SetName("LayerDistance");

@@ -13,24 +13,14 @@
 #ifndef vtkOccludedFillPass_h
 #define vtkOccludedFillPass_h
 
-#include "vtkImageSpacePass.h"
+#include "vtkMaskFillPass.h"
 
-class VTKPOINTSURFACE_EXPORT vtkOccludedFillPass : public vtkImageSpacePass
+class VTKPOINTSURFACE_EXPORT vtkOccludedFillPass : public vtkMaskFillPass
 {
 public:
   static vtkOccludedFillPass* New();
-  vtkTypeMacro(vtkOccludedFillPass, vtkImageSpacePass);
+  vtkTypeMacro(vtkOccludedFillPass, vtkMaskFillPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * Iterations at most, 0 to 1000; each takes a pixel off every side of a hole, and they end when
-   * there is nothing left to fill. The paper used 1 to 3. Default 8, for
-   * points up to two pixels apart and gaps that are wider than four pixels.
-   */
-  vtkSetClampMacro(MaximumIterations, int, 0, 1000);
-  vtkGetMacro(MaximumIterations, int);
-  ///@}
 
   ///@{
   /**
@@ -41,42 +31,17 @@ public:
   vtkGetMacro(LayerDistance, double);
   ///@}
 
-  ///@{
-  /**
-   * Fill only what has the surface on all sides, within half of MaximumIterations pixels. The
-   * paper's masks alone, which this adds to, fill each stair of an outline too, once an iteration.
-   * Default on.
-   */
-  vtkSetMacro(KeepOutlines, bool);
-  vtkGetMacro(KeepOutlines, bool);
-  vtkBooleanMacro(KeepOutlines, bool);
-  ///@}
-
-  /**
-   * Iterations of the last frame that filled a pixel; 0 in a frame without holes.
-   */
-  vtkGetMacro(LastFrameIterations, int);
-
-  void ReleaseGraphicsResources(vtkWindow* w) override;
-
 protected:
-  vtkOccludedFillPass();
-  ~vtkOccludedFillPass() override;
+  vtkOccludedFillPass() = default;
+  ~vtkOccludedFillPass() override = default;
 
-  void Filter(
-    vtkOpenGLRenderWindow* window, vtkSurfaceTarget*& image, vtkSurfaceTarget*& spare) override;
+  void SetOptions(vtkMaskFillOptions& options) const override;
 
   double LayerDistance = 0.0;
-  int MaximumIterations = 8;
-  bool KeepOutlines = true;
-  int LastFrameIterations = 0;
 
 private:
   vtkOccludedFillPass(const vtkOccludedFillPass&) = delete;
   void operator=(const vtkOccludedFillPass&) = delete;
-
-  class vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -1146,6 +1146,40 @@ bool vtkPointSurfaceMapper::ReadSurfaceBuffer(vtkImageData* buffer)
   return true;
 }
 
+bool vtkPointSurfaceMapper::ReadProjection(const vtkPointSurfaceView& view,
+  vtkSurfaceTarget& projected, vtkSurfaceImage& projectedByCPU, vtkImageData* buffer)
+{
+  vtkOpenGLRenderWindow* window = this->Internals->Window;
+  if (!window || view.Size[0] == 0)
+  {
+    vtkErrorMacro("There is no projected buffer to read: render a frame with this mapper first.");
+    return false;
+  }
+  window->MakeCurrent();
+  const bool byCPU = this->LastFrameBackend == CPU;
+  auto readFloats = [&](vtkSurfaceTarget::Layer layer)
+  {
+    return byCPU ? projectedByCPU.ReadFloats(layer)
+                 : projected.ReadFloats(window, layer, view.Rectangle);
+  };
+  SetImageExtent(buffer, view.Size[0], view.Size[1], view.Rim * view.Supersampling);
+  const std::vector<float> shape = readFloats(vtkSurfaceTarget::Shape);
+  AddLayer(buffer, shape, "Normals", 0, 3);
+  AddLayer(buffer, shape, "Radius", 3, 1);
+  const std::vector<float> interval = readFloats(vtkSurfaceTarget::Interval);
+  AddLayer(buffer, interval, "Depth", 0, 1);
+  AddLayer(buffer, interval, "Displacement", 2, 2);
+  if (byCPU ? projectedByCPU.HasColors() : projected.Has(vtkSurfaceTarget::Color))
+  {
+    AddLayer(buffer, readFloats(vtkSurfaceTarget::Color), "Colors", 0, 4);
+  }
+  if (byCPU ? projectedByCPU.HasIds() : projected.Has(vtkSurfaceTarget::Id))
+  {
+    AddIds(buffer, byCPU ? projectedByCPU.ReadIds() : projected.ReadIds(window, view.Rectangle));
+  }
+  return true;
+}
+
 void vtkPointSurfaceMapper::SetImageExtent(vtkImageData* image, int width, int height, int rim)
 {
   image->Initialize();

@@ -214,8 +214,8 @@ protected:
   ///@}
 
   /**
-   * Whether the image that the subclass works on is to reach over the viewport where the cloud does,
-   * as far as discs from outside reach into it. False by default.
+   * Whether the image that the subclass works on is to reach over the viewport where the cloud
+   * does, as far as discs from outside reach into it. False by default.
    */
   virtual bool NeedsRim() const { return false; }
 
@@ -291,6 +291,15 @@ protected:
     vtkSurfaceTarget& projected, vtkSurfaceTarget* farthest = nullptr);
   void ProjectPoints(const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
     bool ids, bool colors, vtkSurfaceImage& projected, vtkSurfaceImage* farthest = nullptr);
+
+  /**
+   * For subclasses that show what they started from: copies what ProjectPoints() drew for `view`
+   * into `buffer`, an image of all that the steps worked on, the rim too. Point arrays: "Normals",
+   * "Radius", "Depth" and "Displacement", and "Colors" and "PointIds" where there are such layers.
+   * False, with an error, before the first frame.
+   */
+  bool ReadProjection(const vtkPointSurfaceView& view, vtkSurfaceTarget& projected,
+    vtkSurfaceImage& projectedByCPU, vtkImageData* buffer);
 
   /**
    * The window of the last frame; nullptr before the first one.

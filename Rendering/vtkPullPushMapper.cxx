@@ -106,39 +106,12 @@ void vtkPullPushMapper::MakeSurfacePixels(
 //------------------------------------------------------------------------------
 bool vtkPullPushMapper::ReadProjectedBuffer(vtkImageData* buffer)
 {
-  vtkOpenGLRenderWindow* window = this->GetLastWindow();
   vtkInternals& internals = *this->Internals;
   const vtkPointSurfaceView& view = internals.View;
-  if (!window || view.Size[0] == 0)
+  if (!this->ReadProjection(view, internals.Projected, internals.ProjectedCPU, buffer))
   {
-    vtkErrorMacro("There is no projected buffer to read: render a frame with this mapper first.");
     return false;
   }
-  window->MakeCurrent();
-  const bool byCPU = this->LastFrameBackend == CPU;
-  auto readFloats = [&](vtkSurfaceTarget::Layer layer)
-  {
-    return byCPU ? internals.ProjectedCPU.ReadFloats(layer)
-                 : internals.Projected.ReadFloats(window, layer, view.Rectangle);
-  };
-  SetImageExtent(buffer, view.Size[0], view.Size[1], view.Rim * view.Supersampling);
-  const std::vector<float> shape = readFloats(vtkSurfaceTarget::Shape);
-  AddLayer(buffer, shape, "Normals", 0, 3);
-  AddLayer(buffer, shape, "Radius", 3, 1);
-  const std::vector<float> interval = readFloats(vtkSurfaceTarget::Interval);
-  AddLayer(buffer, interval, "Depth", 0, 1);
-  AddLayer(buffer, interval, "Displacement", 2, 2);
-  if (byCPU ? internals.ProjectedCPU.HasColors() : internals.Projected.Has(vtkSurfaceTarget::Color))
-  {
-    AddLayer(buffer, readFloats(vtkSurfaceTarget::Color), "Colors", 0, 4);
-  }
-  if (byCPU ? internals.ProjectedCPU.HasIds() : internals.Projected.Has(vtkSurfaceTarget::Id))
-  {
-    AddIds(buffer,
-      byCPU ? internals.ProjectedCPU.ReadIds()
-            : internals.Projected.ReadIds(window, view.Rectangle));
-  }
-
   vtkNew<vtkDoubleArray> projection;
   projection->SetName("Projection");
   for (int row = 0; row < 4; ++row)
