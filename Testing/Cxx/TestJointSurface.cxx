@@ -8,6 +8,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkHardwareSelector.h"
+#include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointSurfacePass.h"
 #include "vtkPolyDataMapper.h"
@@ -252,6 +253,58 @@ void CompareWithMerged(int backend, const std::string& name)
   check(joint.Render() == before, name + ": the same after graphics resources were released");
 }
 
+/// Two halves of a ball in perspective: of the one with large discs a part is outside of the
+/// viewport, so that its image has a rim that the other's has not.
+void CompareRims(int backend, const std::string& name)
+{
+  const auto ball = MakeSphereCloud(NumberOfPoints);
+  vtkDataArray* radii = ball->GetPointData()->GetArray("radius");
+  vtkNew<vtkPoints> points[2];
+  std::vector<vtkSmartPointer<vtkPolyData>> halves;
+  for (int half = 0; half < 2; ++half)
+  {
+    halves.push_back(vtkSmartPointer<vtkPolyData>::New());
+    halves[half]->GetPointData()->CopyAllocate(ball->GetPointData());
+  }
+  for (vtkIdType i = 0; i < NumberOfPoints; ++i)
+  {
+    const int half = ball->GetPoint(i)[0] > 0.0;
+    radii->SetTuple1(i, (1.0 + 2.0 * half) * radii->GetTuple1(i));
+    halves[half]->GetPointData()->CopyData(
+      ball->GetPointData(), i, points[half]->InsertNextPoint(ball->GetPoint(i)));
+  }
+  Scene joint(backend, true);
+  Scene apart(backend, false);
+  Scene merged(backend, false);
+  for (int half = 0; half < 2; ++half)
+  {
+    halves[half]->SetPoints(points[half]);
+    joint.Add(halves[half]);
+    apart.Add(halves[half]);
+  }
+  merged.Add(Merge(halves, { 0.0, 0.0 }));
+  for (Scene* scene : { &joint, &apart, &merged })
+  {
+    scene->Renderer->GetActiveCamera()->SetPosition(-0.6, 0.0, 6.0);
+    scene->Renderer->GetActiveCamera()->SetFocalPoint(-0.6, 0.0, 0.0);
+  }
+
+  apart.Render();
+  int rims[2];
+  for (int half = 0; half < 2; ++half)
+  {
+    vtkNew<vtkImageData> projected;
+    check(apart.Mappers[half]->ReadProjectedBuffer(projected), name + ": a buffer can be read");
+    rims[half] = -projected->GetExtent()[0];
+  }
+  std::cout << name << ": rims of " << rims[0] << " and " << rims[1] << " pixels" << std::endl;
+  check(rims[0] == 0 && rims[1] > 0, name + ": one cloud alone has a rim");
+  const Picture truth = merged.Render();
+  check.AtMost(GetDifference(joint.Render(), truth), 0.001,
+    name + ", rims: share of pixels that differ from the merged cloud's");
+  check(joint.Pass->GetLastFrameJointClouds() == 2, name + ", rims: both are joined");
+}
+
 std::array<int, 3> At(const Picture& picture, int x, int y)
 {
   const size_t i = 3 * (static_cast<size_t>(y) * Size + x);
@@ -330,6 +383,7 @@ int TestJointSurface(int, char*[])
   {
     const std::string name = backend == vtkPullPushMapper::CPU ? "CPU" : "OpenGL";
     CompareWithMerged(backend, name);
+    CompareRims(backend, name);
     CheckCompany(backend, name);
   }
   return check.GetResult();
