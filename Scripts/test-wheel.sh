@@ -25,10 +25,10 @@ rm -rf "$work/dist"
 
 say "installing it into a fresh virtual environment"
 "$python" -m venv --clear "$work/venv"
-"$work/venv/bin/pip" install --quiet pytest pyvista "$work"/dist/*.whl
+"$work/venv/bin/pip" install --quiet pytest pytest-xdist pyvista "$work"/dist/*.whl
 packages=$("$work/venv/bin/python" -c 'import sysconfig; print(sysconfig.get_path("platlib"))')
 [[ -f $packages/pointsurface/vtkPointSurface.pyi ]] || stop "the wheel has no type stubs"
 mkdir -p "$work/output"
 cd "$work" # not the source tree
 PATH="$work/venv/bin:$PATH" DISPLAY='' PYTHONPATH=$packages POINTSURFACE_TEST_OUTPUT=$work/output \
-  python -m pytest -q -rs -p no:cacheprovider "$source_dir/Testing/Python"
+  python -m pytest -q -rs -p no:cacheprovider -n 2 --dist loadfile "$source_dir/Testing/Python"

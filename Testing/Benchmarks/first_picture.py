@@ -20,7 +20,7 @@ from statistics import median
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 COUNT = 1_000_000
-RUNS = 5
+RUNS = 3
 SIZE = (800, 600)
 
 
