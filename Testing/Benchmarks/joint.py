@@ -30,7 +30,7 @@ from table1 import read_model
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 CLOUDS = 10
-CASES = ((100_000, 512), (1_000_000, 1024))
+CASES = ((100_000, 512), (1_000_000, 512))
 BACKENDS = ("CPU", "OpenGL")
 ROWS = ("joint", "apart", "merged")
 
@@ -104,8 +104,8 @@ HEAD = """# Ten clouds as one
 By `Testing/Benchmarks/joint.py`. Milliseconds a frame, the median of {frames}, camera moving, each figure from a process
 of its own: of the process over all its threads, and of the wall. The points of the model {model} (the bunny is of the
 Stanford University Computer Graphics Laboratory) are dealt out to {clouds} clouds: joint, by `vtkPointSurfacePass`;
-apart, without it, which shows holes; merged, the same points in one cloud. OpenGL renderer: {renderer}. Reconstructions
-a frame are counted.
+apart, without it, which shows holes; merged, the same points in one cloud. OpenGL renderer:
+{renderer}. Reconstructions a frame are counted.
 
 | points | viewport | back end | joint makes | apart | merged | process, joint | apart | merged | joint : merged | wall, joint | apart | merged | joint : merged |
 | ---: | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |
