@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAlgebraicSplatTracingOpenGL.h"
 
-#include "vtkAlgebraicSplatBlendFS.h"
 #include "vtkAlgebraicSplatFS.h"
 #include "vtkAlgebraicSplatOptions.h"
 #include "vtkAlgebraicSplatTransform.h"
@@ -11,6 +10,7 @@
 #include "vtkPointSurfaceCompat.h"
 #include "vtkPointSurfaceView.h"
 #include "vtkScreenPass.h"
+#include "vtkSplatMeanFS.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLBufferObject.h"
@@ -240,7 +240,7 @@ void vtkAlgebraicSplatTracingOpenGL::Blend(
     pass.reset(new vtkScreenPass("//VTK::System::Dec\n" +
       vtkSurfaceTarget::GetInputDeclarations(this->Sums.GetLayers(), "in") +
       (ids ? vtkSurfaceTarget::GetInputDeclarations(this->Ids.GetLayers(), "heaviest") : "") +
-      vtkSurfaceTarget::GetOutputDeclarations(surface.GetLayers()) + vtkAlgebraicSplatBlendFS));
+      vtkSurfaceTarget::GetOutputDeclarations(surface.GetLayers()) + vtkSplatMeanFS));
   }
   vtkShaderProgram* program = pass->Ready(window);
   if (!program)

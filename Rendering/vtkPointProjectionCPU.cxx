@@ -5,6 +5,7 @@
 #include "vtkPointProjectionOptions.h"
 #include "vtkPointSurfaceVectorize.h"
 #include "vtkPointSurfaceView.h"
+#include "vtkPointThinning.h"
 #include "vtkSurfaceImage.h"
 
 #include "vtkDoubleArray.h"
@@ -837,4 +838,166 @@ std::array<float, 4> vtkPointProjectionCPU::GetColor(size_t id) const
                                 : this->FloatColors[size * id + k];
   }
   return color;
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+/// Brings the points of a block to the eye; tells which of them are to be seen.
+VTK_POINT_SURFACE_CLONES
+void TransformBlock(const Block& positions, const Block& normals, const float* radii, int count,
+  const vtkPointProjectionCPU::Transform& transform, vtkPointProjectionCPU::EyePoints& points,
+  int* seen)
+{
+  const vtkPointProjectionCPU::Transform t = transform; // that no write below can change
+  // toViewer is (0, 0, 1) in parallel, else minus the position
+  const float parallel = t.Parallel ? 1.0f : 0.0f;
+  const float perspective = t.Parallel ? 0.0f : -1.0f;
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int i = 0; i < count; ++i)
+  {
+    const float x = t.Eye[0].Of(positions.X[i], positions.Y[i], positions.Z[i]);
+    const float y = t.Eye[1].Of(positions.X[i], positions.Y[i], positions.Z[i]);
+    const float z = t.Eye[2].Of(positions.X[i], positions.Y[i], positions.Z[i]);
+    points.X[i] = x;
+    points.Y[i] = y;
+    points.Z[i] = z;
+    points.Radius[i] = t.RadiusScale * radii[i];
+    const float clipZ = t.Clip[2].Of(x, y, z);
+    const float w = t.Clip[3].Of(x, y, z);
+    seen[i] = (w > 0.0f) & (std::abs(clipZ) <= w);
+
+    const float nx = t.Normal[0].Of(normals.X[i], normals.Y[i], normals.Z[i]);
+    const float ny = t.Normal[1].Of(normals.X[i], normals.Y[i], normals.Z[i]);
+    const float nz = t.Normal[2].Of(normals.X[i], normals.Y[i], normals.Z[i]);
+    const float length = std::sqrt(nx * nx + ny * ny + nz * nz);
+    const float distance = std::sqrt(x * x + y * y + z * z);
+    const bool known = length > 0.0f;
+    const float ofNormal = known ? 1.0f / length : 0.0f;
+    const float ofViewer = known ? 0.0f : (t.Parallel ? 1.0f : 1.0f / distance);
+    points.NormalX[i] = ofNormal * nx + ofViewer * perspective * x;
+    points.NormalY[i] = ofNormal * ny + ofViewer * perspective * y;
+    points.NormalZ[i] = ofNormal * nz + ofViewer * (perspective * z + parallel);
+  }
+  for (int p = 0; p < t.NumberOfPlanes; ++p)
+  {
+    VTK_POINT_SURFACE_INDEPENDENT
+    for (int i = 0; i < count; ++i)
+    {
+      seen[i] &= t.Planes[p].Of(points.X[i], points.Y[i], points.Z[i]) >= 0.0f ? 1 : 0;
+    }
+  }
+  if (t.Cull == vtkPointSurfaceView::NoCulling)
+  {
+    return;
+  }
+  const int kept = t.Cull == vtkPointSurfaceView::BackfaceCulling ? 1 : 0;
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int i = 0; i < count; ++i)
+  {
+    const float toViewer = perspective *
+        (points.NormalX[i] * points.X[i] + points.NormalY[i] * points.Y[i] +
+          points.NormalZ[i] * points.Z[i]) +
+      parallel * points.NormalZ[i];
+    seen[i] &= (toViewer >= 0.0f ? 1 : 0) == kept ? 1 : 0;
+  }
+}
+}
+
+vtkPointProjectionCPU::EyeBlocks::EyeBlocks(const std::vector<Cloud>& clouds, int thinning)
+  : Parts(MakeParts(clouds))
+  , Thinning(thinning)
+{
+  static_assert(EyePoints::Capacity == BlockSize, "points are brought to the eye in blocks");
+  for (size_t part = 0; part < this->Parts.size(); ++part)
+  {
+    const Cloud& cloud = *this->Parts[part].Source;
+    const bool listed = !cloud.Projection->Points->GetDrawnIds().empty();
+    const int level = listed ? 0 : thinning; // of a list's ids each is looked at
+    for (const auto& range : cloud.View.Ranges)
+    {
+      const vtkIdType end = ((range[1] - 1) >> level) + 1;
+      for (vtkIdType first = range[0] >> level; first < end; first += BlockSize)
+      {
+        this->Spans.push_back({ part, first, std::min<vtkIdType>(first + BlockSize, end), range });
+      }
+    }
+  }
+}
+
+vtkPointProjectionCPU::EyeBlocks::~EyeBlocks() = default;
+
+/// The ids of a span's points, where they are not simply those from its begin to its end.
+int vtkPointProjectionCPU::EyeBlocks::ListIds(const Span& span, unsigned int* ids) const
+{
+  const std::vector<unsigned int>& list =
+    this->Parts[span.PartIndex].Source->Projection->Points->GetDrawnIds();
+  int count = 0;
+  for (vtkIdType i = span.Begin; i < span.End; ++i)
+  {
+    const auto index = static_cast<unsigned int>(i);
+    const unsigned int id =
+      list.empty() ? vtkPointThinning::GetPoint(index, this->Thinning) : list[index];
+    ids[count] = id;
+    count += list.empty() ? id >= span.Range[0] && id < span.Range[1] // a group may reach over it
+                          : vtkPointThinning::GetPoint(id >> this->Thinning, this->Thinning) == id;
+  }
+  return count;
+}
+
+void vtkPointProjectionCPU::EyeBlocks::Fetch(size_t index, EyePoints& points) const
+{
+  const Span& span = this->Spans[index];
+  const Part& part = this->Parts[span.PartIndex];
+  const vtkPointProjectionCPU& cloud = *part.Source->Projection;
+  const auto firstId = static_cast<unsigned int>(part.Source->FirstId);
+  const double zero[3] = { 0.0, 0.0, 0.0 };
+  unsigned int ids[BlockSize + 1];
+  Block positions;
+  Block normals = {};
+  float radii[BlockSize];
+  int seen[BlockSize];
+  const bool all = this->Thinning == 0 && cloud.Points->GetDrawnIds().empty();
+  int count = static_cast<int>(span.End - span.Begin);
+  if (!all)
+  {
+    count = this->ListIds(span, ids);
+  }
+  const vtkIdType first = all ? span.Begin : 0;
+  const unsigned int* listed = all ? nullptr : ids;
+  cloud.FloatPositions
+    ? Load(positions, first, count, cloud.FloatPositions, listed, cloud.Origin.data())
+    : Load(positions, first, count, cloud.DoublePositions, listed, cloud.Origin.data());
+  if (cloud.Normals)
+  {
+    Load(normals, first, count, cloud.Normals, listed, zero);
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    ids[i] = all ? static_cast<unsigned int>(first + i) : ids[i];
+    radii[i] = cloud.GetRadius(ids[i]);
+  }
+  TransformBlock(positions, normals, radii, count, part.View, points, seen);
+  // without a branch that half of the points would take
+  points.Count = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const int to = points.Count;
+    points.X[to] = points.X[i];
+    points.Y[to] = points.Y[i];
+    points.Z[to] = points.Z[i];
+    points.NormalX[to] = points.NormalX[i];
+    points.NormalY[to] = points.NormalY[i];
+    points.NormalZ[to] = points.NormalZ[i];
+    points.Radius[to] = points.Radius[i];
+    points.Id[to] = firstId + ids[i];
+    points.Count += seen[i];
+  }
+}
+
+std::array<float, 4> vtkPointProjectionCPU::EyeBlocks::GetColor(unsigned int id) const
+{
+  const Part& part = GetPart(this->Parts, id);
+  const vtkPointProjectionCPU& cloud = *part.Source->Projection;
+  return cloud.Colors ? cloud.GetColor(part.GetOwnId(id)) : part.Source->Color;
 }

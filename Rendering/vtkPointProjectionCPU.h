@@ -74,6 +74,21 @@ public:
 
   struct Transform; ///< the view in single precision, for the points about the origin
 
+  /**
+   * Points in eye coordinates: normals of unit length, those that are not known facing the viewer;
+   * radii in eye units; ids among the points of all clouds.
+   */
+  struct EyePoints
+  {
+    static constexpr int Capacity = 256;
+    int Count = 0;
+    alignas(64) float X[Capacity], Y[Capacity], Z[Capacity];
+    alignas(64) float NormalX[Capacity], NormalY[Capacity], NormalZ[Capacity];
+    alignas(64) float Radius[Capacity];
+    unsigned int Id[Capacity];
+  };
+  class EyeBlocks;
+
 private:
   vtkPointProjectionCPU(const vtkPointProjectionCPU&) = delete;
   void operator=(const vtkPointProjectionCPU&) = delete;
@@ -133,6 +148,39 @@ private:
   // For each chunk of points of a round and band of rows, in the order of the points.
   std::vector<std::vector<Companion>> Companions;
   std::vector<BandSums> Sums; // of each band
+};
+
+/**
+ * The points of the views' ranges of clouds, thinned, those that are within the camera's clipping
+ * range, on the kept side of all clipping planes and not culled: block by block, in the order of
+ * their ids.
+ */
+class vtkPointProjectionCPU::EyeBlocks
+{
+public:
+  /// See vtkPointThinning for the level of thinning. The clouds have to outlive this.
+  EyeBlocks(const std::vector<Cloud>& clouds, int thinning);
+  ~EyeBlocks();
+
+  size_t GetSize() const { return this->Spans.size(); }
+  void Fetch(size_t index, EyePoints& points) const;
+
+  /// What the layer Color carries of a point.
+  std::array<float, 4> GetColor(unsigned int id) const;
+
+private:
+  /// Of a cloud, the first of some groups of points (see vtkPointThinning) and the end.
+  struct Span
+  {
+    size_t PartIndex;
+    vtkIdType Begin, End;
+    std::array<vtkIdType, 2> Range;
+  };
+  int ListIds(const Span& span, unsigned int* ids) const;
+
+  std::vector<Part> Parts;
+  std::vector<Span> Spans;
+  int Thinning;
 };
 
 #endif

@@ -15,11 +15,14 @@
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPointAttributes.h"
 #include "vtkPointAverageFS.h"
 #include "vtkPointProjectionFS.h"
 #include "vtkPointProjectionVS.h"
 #include "vtkPointSumFS.h"
 #include "vtkShaderProgram.h"
+
+#include <algorithm>
 
 namespace
 {
@@ -65,11 +68,14 @@ void vtkPointProjectionOpenGL::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Ids->ReleaseGraphicsResources();
   this->IdsTime = 0;
-  for (Pass* pass : { &this->FirstPass, &this->SumPass })
+  auto release = [](Pass& pass)
   {
-    pass->VertexArray->ReleaseGraphicsResources();
-    pass->BoundProgram = nullptr;
-  }
+    pass.VertexArray->ReleaseGraphicsResources();
+    pass.BoundProgram = nullptr;
+  };
+  release(this->FirstPass);
+  release(this->SumPass);
+  std::for_each(this->OtherPasses.begin(), this->OtherPasses.end(), release);
   this->Nearest.ReleaseGraphicsResources(window);
   this->Sums.ReleaseGraphicsResources(window);
   for (auto& entry : this->AveragePasses)
@@ -201,15 +207,49 @@ void vtkPointProjectionOpenGL::Average(vtkOpenGLRenderWindow* window,
 vtkShaderProgram* vtkPointProjectionOpenGL::ReadyProgram(vtkOpenGLRenderWindow* window, Pass& pass,
   const std::string& fragmentShader, const Cloud& cloud, const vtkPointProjectionOptions& options)
 {
-  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
-    vtkPointProjectionVS, ("//VTK::System::Dec\n" + fragmentShader).c_str(), "");
+  const Shaders shaders = { vtkPointProjectionVS, "", "//VTK::System::Dec\n" + fragmentShader };
+  vtkShaderProgram* program = ReadyShaders(window, pass, shaders, cloud);
   if (program)
   {
-    BindAttributes(pass, program, cloud);
-    SetUniforms(program, cloud, options);
+    const vtkPointSurfaceView& view = cloud.View;
+    const float depthRange[2] = { static_cast<float>(view.DepthRange[0]),
+      static_cast<float>(view.DepthRange[1]) };
+    program->SetUniform2f("depthRange", depthRange);
+    program->SetUniformi("subpixelCenters", options.SubpixelCenters);
+    program->SetUniformi("centerDepths", options.CenterDepths);
+    program->SetUniformf("depthTolerance", options.DepthTolerance);
     window->GetState()->vtkglPointSize(1.0f);
   }
   return program;
+}
+
+vtkShaderProgram* vtkPointProjectionOpenGL::ReadyShaders(
+  vtkOpenGLRenderWindow* window, Pass& pass, const Shaders& shaders, const Cloud& cloud)
+{
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
+    (vtkPointAttributes + shaders.Vertex).c_str(), shaders.Fragment.c_str(),
+    shaders.Geometry.c_str());
+  if (program)
+  {
+    BindAttributes(pass, program, cloud);
+    SetUniforms(program, cloud);
+  }
+  return program;
+}
+
+void vtkPointProjectionOpenGL::DrawBy(vtkOpenGLRenderWindow* window,
+  const std::vector<Cloud>& clouds, const Shaders& shaders, int use,
+  const std::function<void(vtkShaderProgram*)>& setUniforms)
+{
+  for (const Cloud& cloud : clouds)
+  {
+    Pass& pass = cloud.Projection->OtherPasses[use];
+    if (vtkShaderProgram* program = ReadyShaders(window, pass, shaders, cloud))
+    {
+      setUniforms(program);
+      cloud.Projection->DrawRanges(pass, cloud.View);
+    }
+  }
 }
 
 void vtkPointProjectionOpenGL::DrawRanges(Pass& pass, const vtkPointSurfaceView& view)
@@ -255,8 +295,7 @@ void vtkPointProjectionOpenGL::BindAttributes(
   pass.BindTime.Modified();
 }
 
-void vtkPointProjectionOpenGL::SetUniforms(
-  vtkShaderProgram* program, const Cloud& cloud, const vtkPointProjectionOptions& options)
+void vtkPointProjectionOpenGL::SetUniforms(vtkShaderProgram* program, const Cloud& cloud)
 {
   const vtkPointSurfaceView& view = cloud.View;
   vtkNew<vtkMatrix4x4> matrix;
@@ -274,15 +313,8 @@ void vtkPointProjectionOpenGL::SetUniforms(
   program->SetUniform4f("constantColor", cloud.Color.data());
   program->SetUniformi("firstId", static_cast<int>(cloud.FirstId));
   program->SetUniformi("cull", view.Cull);
-  const float depthRange[2] = { static_cast<float>(view.DepthRange[0]),
-    static_cast<float>(view.DepthRange[1]) };
-  program->SetUniform2f("depthRange", depthRange);
   const float size[2] = { static_cast<float>(view.Size[0]), static_cast<float>(view.Size[1]) };
   program->SetUniform2f("targetSize", size);
-  program->SetUniformi("subpixelCenters", options.SubpixelCenters);
-  program->SetUniformi("centerDepths", options.CenterDepths);
-  program->SetUniformf("depthTolerance", options.DepthTolerance);
-
   float planes[6][4];
   for (int i = 0; i < 24; ++i)
   {

@@ -19,6 +19,7 @@
 #include "vtkType.h"
 
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -76,6 +77,21 @@ public:
     const vtkPointProjectionOptions& options, vtkSurfaceTarget& target,
     vtkSurfaceTarget* nearest = nullptr);
 
+  /**
+   * For steps that draw points in another way: draws those of the views' ranges of clouds to the
+   * target that is bound, by shaders of which the first follows vtkPointAttributes.glsl.
+   * `setUniforms` is called with the program. Each `use` of shaders has a number.
+   */
+  static constexpr int NumberOfUses = 3;
+  struct Shaders
+  {
+    std::string Vertex;
+    std::string Geometry;
+    std::string Fragment;
+  };
+  static void DrawBy(vtkOpenGLRenderWindow* window, const std::vector<Cloud>& clouds,
+    const Shaders& shaders, int use, const std::function<void(vtkShaderProgram*)>& setUniforms);
+
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
@@ -99,15 +115,17 @@ private:
   static vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window, Pass& pass,
     const std::string& fragmentShader, const Cloud& cloud,
     const vtkPointProjectionOptions& options);
+  static vtkShaderProgram* ReadyShaders(
+    vtkOpenGLRenderWindow* window, Pass& pass, const Shaders& shaders, const Cloud& cloud);
   void DrawRanges(Pass& pass, const vtkPointSurfaceView& view);
   static void BindAttributes(Pass& pass, vtkShaderProgram* program, const Cloud& cloud);
-  static void SetUniforms(
-    vtkShaderProgram* program, const Cloud& cloud, const vtkPointProjectionOptions& options);
+  static void SetUniforms(vtkShaderProgram* program, const Cloud& cloud);
 
   vtkNew<vtkOpenGLIndexBufferObject> Ids;
   vtkMTimeType IdsTime = 0;
   Pass FirstPass;
   Pass SumPass;
+  std::array<Pass, NumberOfUses> OtherPasses;
   vtkSurfaceTarget Nearest; // where points are averaged, and their sums
   vtkSurfaceTarget Sums;
   std::map<std::vector<vtkSurfaceTarget::Layer>, std::unique_ptr<vtkScreenPass>> AveragePasses;

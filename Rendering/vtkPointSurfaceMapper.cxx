@@ -2,6 +2,7 @@
 #include "vtkPointSurfaceMapper.h"
 
 #include "vtkDrawablePoints.h"
+#include "vtkDrawnClouds.h"
 #include "vtkEyeFrame.h"
 #include "vtkJointSurface.h"
 #include "vtkKeptArray.h"
@@ -11,6 +12,7 @@
 #include "vtkPointProjectionOptions.h"
 #include "vtkPointSurfaceCompat.h"
 #include "vtkPointSurfaceView.h"
+#include "vtkPointThinning.h"
 #include "vtkResolveCPU.h"
 #include "vtkResolveOpenGL.h"
 #include "vtkSurfaceBuffer.h"
@@ -898,12 +900,60 @@ void vtkPointSurfaceMapper::MakeBuffer(
   state->PopFramebufferBindings();
 }
 
+void vtkPointSurfaceMapper::BeginProjection()
+{
+  if (this->LastFrameBackend == CPU)
+  {
+    this->Internals->ClockMilliseconds[Project] = -1e3 * vtkTimerLog::GetUniversalTime();
+    return;
+  }
+  this->Internals->Timers[Project].Start();
+}
+
+void vtkPointSurfaceMapper::EndProjection()
+{
+  if (this->LastFrameBackend == CPU)
+  {
+    this->Internals->ClockMilliseconds[Project] += 1e3 * vtkTimerLog::GetUniversalTime();
+    return;
+  }
+  this->Internals->Timers[Project].Stop();
+  this->Internals->Timers[Reconstruct].Start();
+}
+
+vtkDrawnClouds vtkPointSurfaceMapper::GetDrawnClouds(const vtkPointSurfaceView& view, int thinning)
+{
+  vtkDrawnClouds clouds;
+  for (const vtkJointSurface::Member& member : this->Internals->Projected)
+  {
+    vtkInternals& source = *member.Mapper->Internals;
+    vtkPointSurfaceView ownView = member.GetView(view);
+    ownView.RadiusScale *= vtkPointThinning::GetRadiusFactor(thinning);
+    member.Mapper->LastFramePointsDrawn +=
+      vtkPointThinning::GetNumberOfGroups(ownView.GetNumberOfPoints(), thinning);
+    if (this->LastFrameBackend == CPU)
+    {
+      clouds.CPU.push_back({ &source.ProjectionCPU, ownView, member.FirstId, member.Color });
+      continue;
+    }
+    vtkPointProjectionOpenGL::Cloud cloud;
+    cloud.Projection = &source.Projection;
+    cloud.View = ownView;
+    cloud.Buffers = member.Mapper->VBOs;
+    cloud.UniformRadius = source.Points.GetRadii() ? 0.0 : source.Points.GetUniformRadius();
+    cloud.HaveNormals = this->NeedsNormals();
+    cloud.FirstId = member.FirstId;
+    cloud.Color = member.Color;
+    clouds.OpenGL.push_back(cloud);
+  }
+  return clouds;
+}
+
 void vtkPointSurfaceMapper::ProjectPoints(vtkOpenGLRenderWindow* window,
   const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
   const vtkSurfaceTarget& surface, vtkSurfaceTarget& projected, vtkSurfaceTarget* farthest)
 {
-  vtkInternals& internals = *this->Internals;
-  internals.Timers[Project].Start();
+  this->BeginProjection();
   std::vector<vtkSurfaceTarget::Layer> layers = { vtkSurfaceTarget::Shape,
     vtkSurfaceTarget::Interval };
   for (vtkSurfaceTarget::Layer layer : { vtkSurfaceTarget::Id, vtkSurfaceTarget::Color })
@@ -914,55 +964,34 @@ void vtkPointSurfaceMapper::ProjectPoints(vtkOpenGLRenderWindow* window,
     }
   }
   projected.Allocate(window, view.Size[0], view.Size[1], layers, true);
-
-  std::vector<vtkPointProjectionOpenGL::Cloud> clouds;
-  for (const vtkJointSurface::Member& member : internals.Projected)
-  {
-    vtkInternals& source = *member.Mapper->Internals;
-    vtkPointProjectionOpenGL::Cloud cloud;
-    cloud.Projection = &source.Projection;
-    cloud.View = member.GetView(view);
-    cloud.Buffers = member.Mapper->VBOs;
-    cloud.UniformRadius = source.Points.GetRadii() ? 0.0 : source.Points.GetUniformRadius();
-    cloud.HaveNormals = this->NeedsNormals();
-    cloud.FirstId = member.FirstId;
-    cloud.Color = member.Color;
-    clouds.push_back(cloud);
-    member.Mapper->LastFramePointsDrawn += member.View.GetNumberOfPoints();
-  }
-  internals.Projection.Draw(window, clouds, options, projected);
+  const std::vector<vtkPointProjectionOpenGL::Cloud> clouds = this->GetDrawnClouds(view).OpenGL;
+  vtkPointProjectionOpenGL& projection = this->Internals->Projection;
+  projection.Draw(window, clouds, options, projected);
   if (farthest)
   {
     farthest->Allocate(window, view.Size[0], view.Size[1], layers, true);
-    internals.Projection.Draw(window, clouds, options, *farthest, &projected);
+    projection.Draw(window, clouds, options, *farthest, &projected);
   }
-  internals.Timers[Project].Stop();
-  internals.Timers[Reconstruct].Start();
+  this->EndProjection();
 }
 
 void vtkPointSurfaceMapper::ProjectPoints(const vtkPointSurfaceView& view,
   const vtkPointProjectionOptions& options, bool ids, bool colors, vtkSurfaceImage& projected,
   vtkSurfaceImage* farthest)
 {
-  vtkInternals& internals = *this->Internals;
-  const double start = vtkTimerLog::GetUniversalTime();
+  this->BeginProjection();
   const auto& r = view.Rectangle;
   const vtkSurfaceImage::Rectangle rectangle = { r[0], r[1], r[0] + r[2], r[1] + r[3] };
   projected.Allocate(view.Size[0], view.Size[1], rectangle, ids, colors);
-  std::vector<vtkPointProjectionCPU::Cloud> clouds;
-  for (const vtkJointSurface::Member& member : internals.Projected)
-  {
-    clouds.push_back({ &member.Mapper->Internals->ProjectionCPU, member.GetView(view),
-      member.FirstId, member.Color });
-    member.Mapper->LastFramePointsDrawn += member.View.GetNumberOfPoints();
-  }
-  internals.ProjectionCPU.Draw(clouds, options, projected);
+  const std::vector<vtkPointProjectionCPU::Cloud> clouds = this->GetDrawnClouds(view).CPU;
+  vtkPointProjectionCPU& projection = this->Internals->ProjectionCPU;
+  projection.Draw(clouds, options, projected);
   if (farthest)
   {
     farthest->Allocate(view.Size[0], view.Size[1], rectangle, ids, colors);
-    internals.ProjectionCPU.Draw(clouds, options, *farthest, &projected);
+    projection.Draw(clouds, options, *farthest, &projected);
   }
-  internals.ClockMilliseconds[Project] = 1e3 * (vtkTimerLog::GetUniversalTime() - start);
+  this->EndProjection();
 }
 
 //------------------------------------------------------------------------------

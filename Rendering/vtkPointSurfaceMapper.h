@@ -52,6 +52,7 @@ class vtkOpenGLVertexBufferObjectCache;
 class vtkJointSurface;
 class vtkSurfaceImage;
 class vtkSurfaceTarget;
+struct vtkDrawnClouds;
 struct vtkPointProjectionOptions;
 struct vtkPointSurfaceView;
 struct vtkSurfaceBuffer;
@@ -291,6 +292,18 @@ protected:
     vtkSurfaceTarget& projected, vtkSurfaceTarget* farthest = nullptr);
   void ProjectPoints(const vtkPointSurfaceView& view, const vtkPointProjectionOptions& options,
     bool ids, bool colors, vtkSurfaceImage& projected, vtkSurfaceImage* farthest = nullptr);
+
+  ///@{
+  /**
+   * For subclasses that draw points by steps of their own in place of ProjectPoints(): the clouds,
+   * for the back end of the frame. Their points are counted for the statistics; if they are to be
+   * thinned (see vtkPointThinning), the views have larger radii to match. What the subclass does
+   * from BeginProjection() to EndProjection() is timed as projection, the rest as reconstruction.
+   */
+  vtkDrawnClouds GetDrawnClouds(const vtkPointSurfaceView& view, int thinning = 0);
+  void BeginProjection();
+  void EndProjection();
+  ///@}
 
   /**
    * For subclasses that show what they started from: copies what ProjectPoints() drew for `view`

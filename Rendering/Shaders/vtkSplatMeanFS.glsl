@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The weighted sums of splats become their mean (Bolla and Narayanan, section 3.2).
+// The weighted sums of splats become their mean; their id is that of the heaviest one.
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);

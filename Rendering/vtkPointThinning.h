@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointThinning
+ * @brief   which of 2^level points that follow each other stands for all of them
+ *
+ * One is chosen at random from each such group, so that no pattern in the order of the points (rows
+ * of a grid, scan lines) comes through; where the order is one of space the rest is spread evenly.
+ * What is chosen at a level is chosen at all levels below it, so that points only come or go while
+ * a camera moves.
+ */
+#ifndef vtkPointThinning_h
+#define vtkPointThinning_h
+
+#include "vtkType.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace vtkPointThinning
+{
+/// The point that stands for the points from group << level on; see vtkSurfaceSplatVS.glsl.
+inline std::uint32_t GetPoint(std::uint32_t group, int level)
+{
+  for (int below = level; below > 0; --below)
+  {
+    const std::uint32_t mixed =
+      (group ^ (group >> 15)) * 2654435761u + static_cast<std::uint32_t>(below) * 2246822519u;
+    group = 2 * group + ((mixed ^ (mixed >> 16)) >> 7 & 1u);
+  }
+  return group;
+}
+
+/// How many groups so many points make.
+inline vtkIdType GetNumberOfGroups(vtkIdType points, int level)
+{
+  return (points + (vtkIdType(1) << level) - 1) >> level;
+}
+
+/// What the radius of a point that stands for a group is larger by.
+inline double GetRadiusFactor(int level)
+{
+  return std::sqrt(static_cast<double>(vtkIdType(1) << level));
+}
+}
+
+#endif

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSurfaceSplatMapper
+ * @brief   draws a point cloud as a surface by blending the projections of its points' discs
+ *
+ * Each point's disc becomes an ellipse on the screen, a splat. A first pass over the splats finds
+ * the visible depth of each pixel, a second one blends the normals, depths and colours of what lies
+ * near that depth. After: M. Zwicker, H. Pfister, J. van Baar, M. Gross, Surface Splatting,
+ * SIGGRAPH 2001, and M. Botsch, L. Kobbelt, High-Quality Point-Based Rendering on Modern GPUs,
+ * Pacific Graphics 2003; with weights that end at a disc's edge in place of a Gaussian, and splats
+ * made smaller at outlines. On the CPU back end the splats are sorted into tiles that fit into the
+ * processor's cache.
+ *
+ * Fronts are not blended with backs: where both lie within the tolerance the front is seen, as with
+ * vtkProperty's BackfaceCulling.
+ *
+ * @sa vtkPointSurfaceMapper vtkPullPushMapper vtkPointSpacing
+ */
+#ifndef vtkSurfaceSplatMapper_h
+#define vtkSurfaceSplatMapper_h
+
+#include "vtkPointSurfaceMapper.h"
+
+struct vtkSurfaceSplatOptions;
+
+class VTKPOINTSURFACE_EXPORT vtkSurfaceSplatMapper : public vtkPointSurfaceMapper
+{
+public:
+  static vtkSurfaceSplatMapper* New();
+  vtkTypeMacro(vtkSurfaceSplatMapper, vtkPointSurfaceMapper);
+
+  ///@{
+  /**
+   * How far a splat is blended, in radii of its disc, 1 to 3: where other discs cover a pixel, and to
+   * close gaps between discs. The weight is (1 - e)^4, e being the square of the distance from the
+   * disc's centre, 1 where blending ends. More smooths noise in normals and positions, and detail.
+   * Default 1.25.
+   */
+  vtkSetClampMacro(BlendRadius, double, 1.0, 3.0);
+  vtkGetMacro(BlendRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far behind the visible depth a splat may lie to be blended, in radii of its own, 0 to 100;
+   * two pixels' sizes are added. Less keeps thin sheets apart, more lets noisy points blend.
+   * Default 2.
+   */
+  vtkSetClampMacro(DepthTolerance, double, 0.0, 100.0);
+  vtkGetMacro(DepthTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Make splats smaller that are seen nearly edge-on (the cosine between normal and view is below
+   * 0.15), down to a fifth of their radius: they lie at outlines, over which they would reach.
+   * Default on.
+   */
+  vtkSetMacro(TrimOutlines, bool);
+  vtkGetMacro(TrimOutlines, bool);
+  vtkBooleanMacro(TrimOutlines, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Where all projected radii are so small that pixels cannot tell the points apart, draw one of 2,
+   * 4, 8, ... points that follow each other, chosen at random, with a radius that is larger to
+   * match: up to 1.1 pixels. Default on.
+   */
+  vtkSetMacro(ThinPoints, bool);
+  vtkGetMacro(ThinPoints, bool);
+  vtkBooleanMacro(ThinPoints, bool);
+  ///@}
+
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkSurfaceSplatMapper();
+  ~vtkSurfaceSplatMapper() override;
+
+  void MakeSurfaceBuffer(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
+    vtkSurfaceTarget& surface) override;
+  bool HasJointForm() const override { return true; }
+  bool HasCPUForm() const override { return true; }
+  void MakeSurfacePixels(
+    const vtkPointSurfaceView& view, bool ids, bool colors, vtkSurfacePixels& surface) override;
+
+  double BlendRadius = 1.25;
+  double DepthTolerance = 2.0;
+  bool TrimOutlines = true;
+  bool ThinPoints = true;
+
+private:
+  vtkSurfaceSplatMapper(const vtkSurfaceSplatMapper&) = delete;
+  void operator=(const vtkSurfaceSplatMapper&) = delete;
+
+  vtkSurfaceSplatOptions GetOptions() const;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

@@ -1,0 +1,739 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSurfaceSplattingCPU.h"
+
+#include "vtkPointSurfaceVectorize.h"
+#include "vtkSurfacePixels.h"
+#include "vtkSurfaceSplatParameters.h"
+
+#include "vtkSMPThreadLocal.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace
+{
+constexpr int TileSize = 32;
+
+/// Pixels of a row that are worked on at once; a row of a tile goes on for as many.
+constexpr int Lanes = 8;
+constexpr int Stride = TileSize + Lanes;
+
+/// Pixels of a part of the tile, along a side, that splats may be hidden in as a whole.
+constexpr int PartSize = 8;
+constexpr int Parts = TileSize / PartSize;
+
+/// Points are sorted by one thread a group, whatever the number of threads is.
+constexpr size_t LargestNumberOfGroups = 32;
+
+constexpr float Far = 3e38f;
+
+enum Side
+{
+  Front,
+  Back
+};
+}
+
+struct vtkSurfaceSplattingCPU::Splat
+{
+  float X, Y;       // of the centre, in pixels from the rectangle's corner
+  float A, B, C;    // e = A dx^2 + B dx dy + C dy^2
+  float Depth;      // of the centre
+  float SlopeX, SlopeY;
+  float Normal[3];
+  float ReachX, ReachY; // of what is blended, in pixels
+  float Tolerance;      // of depth
+  float Nearest;        // least depth of what is blended
+  float Margin;         // below which e covers where nothing else is seen
+  unsigned int Id;
+};
+
+//------------------------------------------------------------------------------
+namespace
+{
+/// The splats of a block of points, by their members.
+struct Shapes
+{
+  static constexpr int Capacity = vtkPointProjectionCPU::EyePoints::Capacity;
+  alignas(64) float X[Capacity], Y[Capacity];
+  alignas(64) float A[Capacity], B[Capacity], C[Capacity];
+  alignas(64) float Depth[Capacity], SlopeX[Capacity], SlopeY[Capacity];
+  alignas(64) float ReachX[Capacity], ReachY[Capacity];
+  alignas(64) float Tolerance[Capacity], Nearest[Capacity], Margin[Capacity];
+  int Side[Capacity];
+};
+
+/// What they are made with, in single precision.
+struct Lens
+{
+  float Rows[2][4]; // of the matrix from the eye to clip coordinates
+  float W[4];
+  float HalfSize[2];
+  float Corner[2]; // of the rectangle
+  float PixelSize; // in eye units, times w
+  float BlendRadius;
+  float DepthTolerance;
+  float InverseTrimCosine; // 0: outlines are not trimmed
+  bool Parallel;
+};
+
+Lens MakeLens(const vtkSurfaceSplatParameters& parameters)
+{
+  const vtkPointSurfaceView& view = parameters.View;
+  Lens lens;
+  for (int i = 0; i < 4; ++i)
+  {
+    lens.Rows[0][i] = static_cast<float>(view.VCDC[4 * i]);
+    lens.Rows[1][i] = static_cast<float>(view.VCDC[4 * i + 1]);
+    lens.W[i] = static_cast<float>(view.VCDC[4 * i + 3]);
+  }
+  for (int k = 0; k < 2; ++k)
+  {
+    lens.HalfSize[k] = 0.5f * view.Size[k];
+    lens.Corner[k] = static_cast<float>(view.Rectangle[k]);
+  }
+  lens.PixelSize = parameters.GetPixelSize();
+  lens.BlendRadius = static_cast<float>(parameters.Options.BlendRadius);
+  lens.DepthTolerance = static_cast<float>(parameters.Options.DepthTolerance);
+  lens.InverseTrimCosine =
+    parameters.Options.TrimOutlines ? 1.0f / vtkSurfaceSplatParameters::TrimCosine : 0.0f;
+  lens.Parallel = view.IsParallel();
+  return lens;
+}
+
+VTK_POINT_SURFACE_CLONES
+void MakeShapes(
+  const vtkPointProjectionCPU::EyePoints& points, const Lens& givenLens, Shapes& shapes)
+{
+  using Parameters = vtkSurfaceSplatParameters;
+  const Lens lens = givenLens; // that no write below can change
+  const int count = points.Count;
+  const float parallel = lens.Parallel ? 1.0f : 0.0f;
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int i = 0; i < count; ++i)
+  {
+    const float x = points.X[i];
+    const float y = points.Y[i];
+    const float z = points.Z[i];
+    const float nx = points.NormalX[i];
+    const float ny = points.NormalY[i];
+    const float nz = points.NormalZ[i];
+    const float w = lens.W[0] * x + lens.W[1] * y + lens.W[2] * z + lens.W[3];
+    const float ndcX =
+      (lens.Rows[0][0] * x + lens.Rows[0][1] * y + lens.Rows[0][2] * z + lens.Rows[0][3]) / w;
+    const float ndcY =
+      (lens.Rows[1][0] * x + lens.Rows[1][1] * y + lens.Rows[1][2] * z + lens.Rows[1][3]) / w;
+
+    const float distance = std::sqrt(x * x + y * y + z * z);
+    const float facing = lens.Parallel ? nz : -(x * nx + y * ny + z * nz) / distance;
+    const float limit = Parameters::LargestShareOfDepth * -z;
+    const float given = points.Radius[i];
+    const float limited = given < limit ? given : limit;
+    const float radius = parallel > 0.0f ? given : limited;
+    const float tolerance =
+      lens.DepthTolerance * radius + Parameters::TolerancePixels * lens.PixelSize * w;
+    const float ofTrim = std::abs(facing) * lens.InverseTrimCosine;
+    const float atLeast = ofTrim > Parameters::TrimLimit ? ofTrim : Parameters::TrimLimit;
+    const float trim = ofTrim < 1.0f ? atLeast : 1.0f;
+    const float trimmed = lens.InverseTrimCosine > 0.0f ? radius * std::sqrt(trim) : radius;
+
+    // a step of the trimmed radius along an axis of the eye, in pixels
+    const float ofX = trimmed * lens.HalfSize[0] / w;
+    const float ofY = trimmed * lens.HalfSize[1] / w;
+    const float xx = ofX * (lens.Rows[0][0] - ndcX * lens.W[0]);
+    const float xy = ofX * (lens.Rows[0][1] - ndcX * lens.W[1]);
+    const float xz = ofX * (lens.Rows[0][2] - ndcX * lens.W[2]);
+    const float yx = ofY * (lens.Rows[1][0] - ndcY * lens.W[0]);
+    const float yy = ofY * (lens.Rows[1][1] - ndcY * lens.W[1]);
+    const float yz = ofY * (lens.Rows[1][2] - ndcY * lens.W[2]);
+    const float xn = xx * nx + xy * ny + xz * nz;
+    const float yn = yx * nx + yy * ny + yz * nz;
+    const float v11 = xx * xx + xy * xy + xz * xz - xn * xn + Parameters::LowPassVariance;
+    const float v12 = xx * yx + xy * yy + xz * yz - xn * yn;
+    const float v22 = yx * yx + yy * yy + yz * yz - yn * yn + Parameters::LowPassVariance;
+    const float inverse = 1.0f / (v11 * v22 - v12 * v12);
+    // covariances of the place on the screen with the depth
+    const float ofDepthX = trimmed * (nz * xn - xz);
+    const float ofDepthY = trimmed * (nz * yn - yz);
+    shapes.X[i] = lens.HalfSize[0] * (ndcX + 1.0f) - lens.Corner[0];
+    shapes.Y[i] = lens.HalfSize[1] * (ndcY + 1.0f) - lens.Corner[1];
+    shapes.A[i] = v22 * inverse;
+    shapes.B[i] = -2.0f * v12 * inverse;
+    shapes.C[i] = v11 * inverse;
+    shapes.Depth[i] = -z;
+    shapes.SlopeX[i] = (ofDepthX * v22 - ofDepthY * v12) * inverse;
+    shapes.SlopeY[i] = (ofDepthY * v11 - ofDepthX * v12) * inverse;
+    shapes.ReachX[i] = lens.BlendRadius * std::sqrt(v11);
+    shapes.ReachY[i] = lens.BlendRadius * std::sqrt(v22);
+    shapes.Tolerance[i] = tolerance;
+    shapes.Nearest[i] = -z - lens.BlendRadius * trimmed;
+    shapes.Margin[i] = facing > Parameters::MarginCosine ? lens.BlendRadius * lens.BlendRadius
+                                                         : Parameters::CoreLimit;
+    shapes.Side[i] = facing >= 0.0f ? Front : Back;
+  }
+}
+}
+
+/// Sorts the splats of a group of points into the tiles.
+class vtkSurfaceSplattingCPU::Maker
+{
+public:
+  Maker(vtkSurfaceSplattingCPU* splatting, const vtkSurfaceSplatParameters& parameters,
+    const vtkPointProjectionCPU::EyeBlocks& blocks, bool colors)
+    : Splatting(splatting)
+    , Blocks(blocks)
+    , Colors(colors)
+    , MyLens(MakeLens(parameters))
+    , Width(parameters.View.Rectangle[2])
+    , Height(parameters.View.Rectangle[3])
+  {
+  }
+
+  void Make(int group) const
+  {
+    const size_t groups = static_cast<size_t>(this->Splatting->Groups);
+    const size_t begin = this->Blocks.GetSize() * group / groups;
+    const size_t end = this->Blocks.GetSize() * (group + 1) / groups;
+    vtkPointProjectionCPU::EyePoints points;
+    Shapes shapes;
+    for (size_t block = begin; block < end; ++block)
+    {
+      this->Blocks.Fetch(block, points);
+      MakeShapes(points, this->MyLens, shapes);
+      for (int i = 0; i < points.Count; ++i)
+      {
+        this->Add(group, points, shapes, i);
+      }
+    }
+  }
+
+private:
+  void Add(int group, const vtkPointProjectionCPU::EyePoints& points, const Shapes& shapes,
+    int i) const
+  {
+    // pixels whose centres may lie in the ellipse
+    const float low[2] = { shapes.X[i] - shapes.ReachX[i] - 0.5f,
+      shapes.Y[i] - shapes.ReachY[i] - 0.5f };
+    const float high[2] = { shapes.X[i] + shapes.ReachX[i] - 0.5f,
+      shapes.Y[i] + shapes.ReachY[i] - 0.5f };
+    if (!(high[0] >= 0.0f && high[1] >= 0.0f && low[0] <= this->Width - 1.0f &&
+          low[1] <= this->Height - 1.0f))
+    {
+      return;
+    }
+    const int x0 = static_cast<int>(std::ceil(std::max(low[0], 0.0f)));
+    const int y0 = static_cast<int>(std::ceil(std::max(low[1], 0.0f)));
+    const int x1 = static_cast<int>(std::min(high[0], this->Width - 1.0f));
+    const int y1 = static_cast<int>(std::min(high[1], this->Height - 1.0f));
+    if (x0 > x1 || y0 > y1)
+    {
+      return;
+    }
+    const Splat splat = { shapes.X[i], shapes.Y[i], shapes.A[i], shapes.B[i], shapes.C[i],
+      shapes.Depth[i], shapes.SlopeX[i], shapes.SlopeY[i],
+      { points.NormalX[i], points.NormalY[i], points.NormalZ[i] }, shapes.ReachX[i],
+      shapes.ReachY[i], shapes.Tolerance[i], shapes.Nearest[i], shapes.Margin[i], points.Id[i] };
+    for (int row = y0 / TileSize; row <= y1 / TileSize; ++row)
+    {
+      for (int column = x0 / TileSize; column <= x1 / TileSize; ++column)
+      {
+        List& list = this->Splatting->GetList(
+          group, row * this->Splatting->Columns + column, shapes.Side[i]);
+        list.Splats.push_back(splat);
+        if (this->Colors)
+        {
+          list.Colors.push_back(this->Blocks.GetColor(splat.Id));
+        }
+      }
+    }
+  }
+
+  vtkSurfaceSplattingCPU* Splatting;
+  const vtkPointProjectionCPU::EyeBlocks& Blocks;
+  bool Colors;
+  Lens MyLens;
+  int Width;
+  int Height;
+};
+
+vtkSurfaceSplattingCPU::vtkSurfaceSplattingCPU() = default;
+vtkSurfaceSplattingCPU::~vtkSurfaceSplattingCPU() = default;
+
+void vtkSurfaceSplattingCPU::MakeSplats(const vtkSurfaceSplatParameters& parameters,
+  const std::vector<vtkPointProjectionCPU::Cloud>& clouds, bool colors)
+{
+  const vtkPointProjectionCPU::EyeBlocks blocks(clouds, parameters.Thinning);
+  const auto& r = parameters.View.Rectangle;
+  this->Columns = (r[2] + TileSize - 1) / TileSize;
+  this->Rows = (r[3] + TileSize - 1) / TileSize;
+  this->Groups =
+    static_cast<int>(std::min(std::max<size_t>(blocks.GetSize(), 1), LargestNumberOfGroups));
+  this->Lists.resize(2 * static_cast<size_t>(this->Groups) * this->Columns * this->Rows);
+  for (List& list : this->Lists)
+  {
+    list.Splats.clear();
+    list.Colors.clear();
+  }
+  const Maker maker(this, parameters, blocks, colors);
+  vtkSMPTools::For(0, this->Groups, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType group = begin; group < end; ++group)
+      {
+        maker.Make(static_cast<int>(group));
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+/// Pixels of a tile. Depths are Far where there is nothing.
+struct Planes
+{
+  alignas(64) float Visible[2][TileSize * Stride]; // depths, of a side
+  alignas(64) float Margin[TileSize * Stride];     // depths of the front with margins, in gaps
+  alignas(64) float Weight[TileSize * Stride];
+  alignas(64) float Sum[4][TileSize * Stride];    // of normals and depths
+  alignas(64) float Colors[4][TileSize * Stride];
+  alignas(64) float Heaviest[TileSize * Stride];
+  alignas(64) unsigned int Id[TileSize * Stride];
+  float Farthest[2][Parts * Parts]; // of the visible depths of a part
+  float Gaps[Parts * Parts];        // Far for a part with gaps, else -Far
+};
+
+/// The pixels of a tile that may lie in a splat, and the polynomials from its first one on.
+struct Span
+{
+  int X0, X1, Y0, Y1;
+  float Dx, Dy;
+  bool IsEmpty() const { return this->X0 > this->X1 || this->Y0 > this->Y1; }
+};
+
+VTK_POINT_SURFACE_INLINE Span MakeSpan(
+  const vtkSurfaceSplattingCPU::Splat& splat, const int corner[2], float share)
+{
+  const float x = splat.X - corner[0] - 0.5f;
+  const float y = splat.Y - corner[1] - 0.5f;
+  const float reachX = share * splat.ReachX;
+  const float reachY = share * splat.ReachY;
+  const float last = TileSize - 1.0f;
+  Span span;
+  span.X0 = static_cast<int>(std::ceil(std::max(x - reachX, 0.0f)));
+  span.Y0 = static_cast<int>(std::ceil(std::max(y - reachY, 0.0f)));
+  span.X1 = static_cast<int>(std::floor(std::min(x + reachX, last)));
+  span.Y1 = static_cast<int>(std::floor(std::min(y + reachY, last)));
+  span.Dx = span.X0 - x;
+  span.Dy = span.Y0 - y;
+  return span;
+}
+
+/// The farthest visible depth in the parts of the tile that a span reaches.
+VTK_POINT_SURFACE_INLINE float GetFarthest(const float* parts, const Span& span)
+{
+  float farthest = -Far;
+  for (int row = span.Y0 / PartSize; row <= span.Y1 / PartSize; ++row)
+  {
+    for (int column = span.X0 / PartSize; column <= span.X1 / PartSize; ++column)
+    {
+      farthest = std::max(farthest, parts[row * Parts + column]);
+    }
+  }
+  return farthest;
+}
+
+void FindFarthest(const float* depths, float* parts)
+{
+  std::fill_n(parts, Parts * Parts, -Far);
+  for (int y = 0; y < TileSize; ++y)
+  {
+    for (int x = 0; x < TileSize; ++x)
+    {
+      float& part = parts[y / PartSize * Parts + x / PartSize];
+      part = std::max(part, depths[y * Stride + x]);
+    }
+  }
+}
+
+/// The least depths of the splats where e is below the limit, or their own margin if the limit is 0;
+/// those of the back with the tolerance added. Splats that are farther than all of `hiding` in the
+/// parts that they reach are left out.
+VTK_POINT_SURFACE_CLONES
+void FindDepths(const vtkSurfaceSplattingCPU::Splat* splats, size_t count, const int* corner,
+  float share, float givenLimit, bool back, const float* hiding, float* depths)
+{
+  for (size_t s = 0; s < count; ++s)
+  {
+    const vtkSurfaceSplattingCPU::Splat& splat = splats[s];
+    const Span span = MakeSpan(splat, corner, share);
+    const float added = back ? splat.Tolerance : 0.0f;
+    const float limit = givenLimit > 0.0f ? givenLimit : splat.Margin;
+    if (span.IsEmpty() || (hiding && splat.Nearest + added >= GetFarthest(hiding, span)))
+    {
+      continue;
+    }
+    const float depth = splat.Depth + added;
+    for (int x = span.X0; x <= span.X1; x += Lanes)
+    {
+      float quadratic[Lanes];
+      float linear[Lanes];
+      float start[Lanes];
+      for (int i = 0; i < Lanes; ++i)
+      {
+        const float dx = span.Dx + static_cast<float>(x - span.X0 + i);
+        quadratic[i] = splat.A * dx * dx;
+        linear[i] = splat.B * dx;
+        start[i] = depth + splat.SlopeX * dx;
+      }
+      for (int y = span.Y0; y <= span.Y1; ++y)
+      {
+        const float dy = span.Dy + static_cast<float>(y - span.Y0);
+        float* row = depths + y * Stride + x;
+        VTK_POINT_SURFACE_INDEPENDENT
+        for (int i = 0; i < Lanes; ++i)
+        {
+          const float e = quadratic[i] + dy * (linear[i] + splat.C * dy);
+          const float d = start[i] + splat.SlopeY * dy;
+          const float old = row[i];
+          const float least = d < old ? d : old;
+          row[i] = e < limit ? least : old;
+        }
+      }
+    }
+  }
+}
+
+/// Adds up what lies at the visible depths.
+template <bool Ids, bool WithColors>
+VTK_POINT_SURFACE_INLINE void BlendSplats(const vtkSurfaceSplattingCPU::Splat* splats,
+  const std::array<float, 4>* colors, size_t count, const int* corner, float inverseBlend,
+  bool back, Planes& planes)
+{
+  const float* visible = planes.Visible[back ? Back : Front];
+  const float* farthest = planes.Farthest[back ? Back : Front];
+  for (size_t s = 0; s < count; ++s)
+  {
+    const vtkSurfaceSplattingCPU::Splat& splat = splats[s];
+    const Span span = MakeSpan(splat, corner, 1.0f);
+    // as the visible depths of the back have it, so that the difference is the tolerance too
+    const float added = back ? splat.Tolerance : 0.0f;
+    if (span.IsEmpty() ||
+      splat.Nearest + added > GetFarthest(farthest, span) + splat.Tolerance)
+    {
+      continue;
+    }
+    const unsigned int id = splat.Id + 1;
+    for (int x = span.X0; x <= span.X1; x += Lanes)
+    {
+      float quadratic[Lanes];
+      float linear[Lanes];
+      float start[Lanes];
+      for (int i = 0; i < Lanes; ++i)
+      {
+        const float dx = span.Dx + static_cast<float>(x - span.X0 + i);
+        quadratic[i] = splat.A * dx * dx;
+        linear[i] = splat.B * dx;
+        start[i] = splat.Depth + splat.SlopeX * dx;
+      }
+      for (int y = span.Y0; y <= span.Y1; ++y)
+      {
+        const float dy = span.Dy + static_cast<float>(y - span.Y0);
+        const int first = y * Stride + x;
+        float weights[Lanes];
+        VTK_POINT_SURFACE_INDEPENDENT
+        for (int i = 0; i < Lanes; ++i)
+        {
+          const float e = quadratic[i] + dy * (linear[i] + splat.C * dy);
+          const float d = start[i] + splat.SlopeY * dy;
+          const float root = 1.0f - inverseBlend * e;
+          const bool seen = (root > 0.0f) & (d + added <= visible[first + i] + splat.Tolerance);
+          const float square = root * root;
+          const float weight = seen ? square * square : 0.0f;
+          planes.Weight[first + i] += weight;
+          planes.Sum[0][first + i] += weight * splat.Normal[0];
+          planes.Sum[1][first + i] += weight * splat.Normal[1];
+          planes.Sum[2][first + i] += weight * splat.Normal[2];
+          planes.Sum[3][first + i] += weight * d;
+          weights[i] = weight;
+        }
+        if (WithColors)
+        {
+          for (int k = 0; k < 4; ++k)
+          {
+            for (int i = 0; i < Lanes; ++i)
+            {
+              planes.Colors[k][first + i] += weights[i] * colors[s][k];
+            }
+          }
+        }
+        if (Ids)
+        {
+          for (int i = 0; i < Lanes; ++i)
+          {
+            const bool heavier = weights[i] > planes.Heaviest[first + i];
+            planes.Heaviest[first + i] = heavier ? weights[i] : planes.Heaviest[first + i];
+            planes.Id[first + i] = heavier ? id : planes.Id[first + i];
+          }
+        }
+      }
+    }
+  }
+}
+
+VTK_POINT_SURFACE_CLONES
+void BlendPlain(const vtkSurfaceSplattingCPU::Splat* splats, const std::array<float, 4>* colors,
+  size_t count, const int* corner, float inverseBlend, bool back, Planes& planes)
+{
+  BlendSplats<false, false>(splats, colors, count, corner, inverseBlend, back, planes);
+}
+
+VTK_POINT_SURFACE_CLONES
+void BlendColors(const vtkSurfaceSplattingCPU::Splat* splats, const std::array<float, 4>* colors,
+  size_t count, const int* corner, float inverseBlend, bool back, Planes& planes)
+{
+  BlendSplats<false, true>(splats, colors, count, corner, inverseBlend, back, planes);
+}
+
+VTK_POINT_SURFACE_CLONES
+void BlendIds(const vtkSurfaceSplattingCPU::Splat* splats, const std::array<float, 4>* colors,
+  size_t count, const int* corner, float inverseBlend, bool back, Planes& planes)
+{
+  BlendSplats<true, false>(splats, colors, count, corner, inverseBlend, back, planes);
+}
+
+VTK_POINT_SURFACE_CLONES
+void BlendBoth(const vtkSurfaceSplattingCPU::Splat* splats, const std::array<float, 4>* colors,
+  size_t count, const int* corner, float inverseBlend, bool back, Planes& planes)
+{
+  BlendSplats<true, true>(splats, colors, count, corner, inverseBlend, back, planes);
+}
+
+/// Which parts of the tile have pixels where the back is seen, or nothing. Returns whether there are
+/// any.
+bool FindGaps(bool showingBack, Planes& planes)
+{
+  bool any = false;
+  std::fill_n(planes.Gaps, Parts * Parts, -Far);
+  for (int y = 0; y < TileSize; ++y)
+  {
+    for (int x = 0; x < TileSize; ++x)
+    {
+      const int i = y * Stride + x;
+      const float front = planes.Visible[Front][i];
+      const float back = planes.Visible[Back][i];
+      if (showingBack ? back < front : std::min(front, back) >= Far)
+      {
+        planes.Gaps[y / PartSize * Parts + x / PartSize] = Far;
+        any = true;
+      }
+    }
+  }
+  return any;
+}
+
+/// A back before the front's discs, or nothing, is seen through a gap between them, if it is not
+/// before their margins too.
+VTK_POINT_SURFACE_CLONES
+void CloseGaps(bool showingBack, float* front, const float* back, const float* margin)
+{
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int i = 0; i < TileSize * Stride; ++i)
+  {
+    const float f = front[i];
+    const float b = back[i];
+    const float m = margin[i];
+    const bool isGap = (b < f) == showingBack;
+    const bool closes = (isGap & (m < b)) & (showingBack | (f >= Far));
+    front[i] = closes ? m : f;
+  }
+}
+
+/// Of the two sides the nearer one is visible; the other's depths become such that nothing is.
+VTK_POINT_SURFACE_CLONES
+void ChooseSides(float* front, float* back)
+{
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int i = 0; i < TileSize * Stride; ++i)
+  {
+    const float f = front[i];
+    const float b = back[i];
+    const bool takesFront = (f <= b) & (f < Far);
+    front[i] = takesFront ? f : -Far;
+    back[i] = b < f ? b : -Far;
+  }
+}
+}
+
+/// One tile after the other, with room for the pixels of one.
+class vtkSurfaceSplattingCPU::Tile
+{
+public:
+  void Draw(vtkSurfaceSplattingCPU* splatting, const vtkSurfaceSplatParameters& parameters,
+    int tile, vtkSurfacePixels& pixels)
+  {
+    const int corner[2] = { tile % splatting->Columns * TileSize,
+      tile / splatting->Columns * TileSize };
+    bool empty[2] = { true, true };
+    for (int group = 0; group < splatting->Groups; ++group)
+    {
+      for (int side : { Front, Back })
+      {
+        empty[side] = empty[side] && splatting->GetList(group, tile, side).Splats.empty();
+      }
+    }
+    if (empty[Front] && empty[Back])
+    {
+      this->WriteNothing(corner, pixels);
+      return;
+    }
+    Planes& planes = this->MyPlanes;
+    const auto blend = static_cast<float>(parameters.Options.BlendRadius);
+    const float share = std::sqrt(vtkSurfaceSplatParameters::CoreLimit) / blend;
+    for (int side : { Front, Back })
+    {
+      std::fill_n(planes.Visible[side], TileSize * Stride, Far);
+      for (int group = 0; group < splatting->Groups && !empty[side]; ++group)
+      {
+        const List& list = splatting->GetList(group, tile, side);
+        FindDepths(list.Splats.data(), list.Splats.size(), corner, share,
+          vtkSurfaceSplatParameters::CoreLimit,
+          side == Back, side == Back ? planes.Farthest[Front] : nullptr, planes.Visible[side]);
+      }
+      if (side == Front && !empty[Back])
+      {
+        FindFarthest(planes.Visible[Front], planes.Farthest[Front]);
+      }
+    }
+    for (bool showingBack : { true, false })
+    {
+      if (empty[Front] || !FindGaps(showingBack, planes))
+      {
+        continue;
+      }
+      std::fill_n(planes.Margin, TileSize * Stride, Far);
+      for (int group = 0; group < splatting->Groups; ++group)
+      {
+        const List& list = splatting->GetList(group, tile, Front);
+        FindDepths(list.Splats.data(), list.Splats.size(), corner, 1.0f,
+          showingBack ? blend * blend : 0.0f, false, planes.Gaps, planes.Margin);
+      }
+      CloseGaps(showingBack, planes.Visible[Front], planes.Visible[Back], planes.Margin);
+    }
+    ChooseSides(planes.Visible[Front], planes.Visible[Back]);
+
+    const bool ids = !pixels.Id.empty();
+    const bool colors = !pixels.Color.empty();
+    this->Clear(ids, colors);
+    const auto blendSplats = ids ? (colors ? BlendBoth : BlendIds)
+                                 : (colors ? BlendColors : BlendPlain);
+    for (int side : { Front, Back })
+    {
+      FindFarthest(planes.Visible[side], planes.Farthest[side]);
+      for (int group = 0; group < splatting->Groups && !empty[side]; ++group)
+      {
+        const List& list = splatting->GetList(group, tile, side);
+        blendSplats(list.Splats.data(), list.Colors.data(), list.Splats.size(), corner,
+          1.0f / (blend * blend), side == Back, planes);
+      }
+    }
+    this->Write(corner, pixels);
+  }
+
+private:
+  void Clear(bool ids, bool colors)
+  {
+    Planes& planes = this->MyPlanes;
+    std::fill_n(planes.Weight, TileSize * Stride, 0.0f);
+    std::fill_n(planes.Sum[0], 4 * TileSize * Stride, 0.0f);
+    if (colors)
+    {
+      std::fill_n(planes.Colors[0], 4 * TileSize * Stride, 0.0f);
+    }
+    if (ids)
+    {
+      std::fill_n(planes.Heaviest, TileSize * Stride, 0.0f);
+      std::fill_n(planes.Id, TileSize * Stride, 0u);
+    }
+  }
+
+  static void WriteNothing(const int corner[2], vtkSurfacePixels& pixels)
+  {
+    const int width = pixels.Rectangle[2] - pixels.Rectangle[0];
+    const int height = pixels.Rectangle[3] - pixels.Rectangle[1];
+    const int columns = std::min(TileSize, width - corner[0]);
+    for (int y = corner[1]; y < std::min(corner[1] + TileSize, height); ++y)
+    {
+      const size_t first = static_cast<size_t>(y) * width + corner[0];
+      std::fill_n(&pixels.Surface[4 * first], 4 * columns, 0.0f);
+      if (!pixels.Id.empty())
+      {
+        std::fill_n(&pixels.Id[first], columns, 0u);
+      }
+      if (!pixels.Color.empty())
+      {
+        std::fill_n(&pixels.Color[4 * first], 4 * columns, 0.0f);
+      }
+    }
+  }
+
+  void Write(const int corner[2], vtkSurfacePixels& pixels) const
+  {
+    const Planes& planes = this->MyPlanes;
+    const int width = pixels.Rectangle[2] - pixels.Rectangle[0];
+    const int height = pixels.Rectangle[3] - pixels.Rectangle[1];
+    const int columns = std::min(TileSize, width - corner[0]);
+    const int rows = std::min(TileSize, height - corner[1]);
+    for (int y = 0; y < rows; ++y)
+    {
+      for (int x = 0; x < columns; ++x)
+      {
+        const int i = y * Stride + x;
+        const size_t pixel = static_cast<size_t>(corner[1] + y) * width + corner[0] + x;
+        const float nx = planes.Sum[0][i];
+        const float ny = planes.Sum[1][i];
+        const float nz = planes.Sum[2][i];
+        const float length = std::sqrt(nx * nx + ny * ny + nz * nz);
+        const float ofNormal = length > 0.0f ? 1.0f / length : 0.0f;
+        const float ofWeight = planes.Weight[i] > 0.0f ? 1.0f / planes.Weight[i] : 0.0f;
+        float* to = &pixels.Surface[4 * pixel];
+        to[0] = ofNormal * nx;
+        to[1] = ofNormal * ny;
+        to[2] = ofNormal * nz;
+        to[3] = ofWeight * planes.Sum[3][i];
+        if (!pixels.Id.empty())
+        {
+          pixels.Id[pixel] = planes.Id[i];
+        }
+        for (int k = 0; k < 4 && !pixels.Color.empty(); ++k)
+        {
+          pixels.Color[4 * pixel + k] = ofWeight * planes.Colors[k][i];
+        }
+      }
+    }
+  }
+
+  Planes MyPlanes;
+};
+
+void vtkSurfaceSplattingCPU::DrawSplats(
+  const vtkSurfaceSplatParameters& parameters, bool ids, bool colors, vtkSurfacePixels& pixels)
+{
+  const auto& r = parameters.View.Rectangle;
+  pixels.Allocate({ r[0], r[1], r[0] + r[2], r[1] + r[3] }, ids, colors);
+  vtkSMPThreadLocal<std::shared_ptr<Tile>> tiles;
+  vtkSMPTools::For(0, this->Columns * this->Rows, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::shared_ptr<Tile>& tile = tiles.Local();
+      if (!tile)
+      {
+        tile = std::make_shared<Tile>();
+      }
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        tile->Draw(this, parameters, static_cast<int>(i), pixels);
+      }
+    });
+}
