@@ -908,6 +908,7 @@ void vtkPointSurfaceMapper::BeginProjection()
     return;
   }
   this->Internals->Timers[Project].Start();
+  FlushQuery();
 }
 
 void vtkPointSurfaceMapper::EndProjection()
@@ -919,6 +920,7 @@ void vtkPointSurfaceMapper::EndProjection()
   }
   this->Internals->Timers[Project].Stop();
   this->Internals->Timers[Reconstruct].Start();
+  FlushQuery();
 }
 
 vtkDrawnClouds vtkPointSurfaceMapper::GetDrawnClouds(const vtkPointSurfaceView& view, int thinning)

@@ -7,10 +7,12 @@ from . import (
     vtkDirectPointMapper,
     vtkImageSpacePointMapper,
     vtkPullPushMapper,
+    vtkSurfaceSplatMapper,
 )
 
 METHODS = {
     "pull-push": vtkPullPushMapper,
+    "surface-splats": vtkSurfaceSplatMapper,
     "image-space": vtkImageSpacePointMapper,
     "direct": vtkDirectPointMapper,
     "algebraic-splats": vtkAlgebraicSplatMapper,

@@ -31,7 +31,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderer,
 )
 
-from pointsurface import vtkIsosurfacePoints, vtkPullPushMapper
+from pointsurface import vtkIsosurfacePoints, vtkPullPushMapper, vtkSurfaceSplatMapper
 from pointsurface.metrics import SurfaceImage, compare, psnr
 from pointsurface.peers import gaussian_discs
 from pointsurface.rendering import offscreen_window, read_color, renderer_string, write_png, write_whole
@@ -115,6 +115,7 @@ COLUMNS = {  # name: heading, format, factor, whether more is better
 }
 PUBLISHED, DEFAULT, CULLED, SUPERSAMPLED = "published", "default", "default, culling", "default, 2x"
 GAUSSIAN, POINTS, SPLATS = "vtkPointGaussianMapper", "GL points", "EWA splats"
+OUR_SPLATS, SUPERSAMPLED_SPLATS = "vtkSurfaceSplatMapper", "vtkSurfaceSplatMapper, 2x"
 
 
 @dataclass
@@ -257,9 +258,11 @@ def shade_image(normals, depth, focal_length):
     return np.repeat(grey[..., None], 3, axis=-1)
 
 
-def draw_ours(scene, backface_culling=False, published=False, supersampling=1, without=None):
-    """A SurfaceImage by vtkPullPushMapper; `without` names a departure from the paper that is switched off."""
-    mapper = vtkPullPushMapper()
+def draw_ours(
+    scene, backface_culling=False, published=False, supersampling=1, without=None, mapper_class=vtkPullPushMapper
+):
+    """A SurfaceImage by a mapper of ours; `without` names a departure from the paper that is switched off."""
+    mapper = mapper_class()
     mapper.SetInputData(scene.model.cloud)
     if published:
         mapper.SetToPublished()
@@ -340,6 +343,8 @@ def draw_rows(scene, truth):
     yield (GAUSSIAN, *draw_gaussian(scene, truth))
     yield (POINTS, *draw_points(scene, truth))
     yield SPLATS, SPLATS, draw_splats(scene)
+    for label, supersampling in ((OUR_SPLATS, 1), (SUPERSAMPLED_SPLATS, 2)):
+        yield label, label, draw_ours(scene, supersampling=supersampling, mapper_class=vtkSurfaceSplatMapper)
 
 
 def departures():

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whole frames of vtkPullPushMapper, by both back ends, beside those of vtkPointGaussianMapper.
+"""Whole frames of vtkPullPushMapper, by both back ends, and of vtkSurfaceSplatMapper, beside vtkPointGaussianMapper's.
 
     python3 Testing/Benchmarks/frames.py [--output [FILE]]
 
@@ -20,7 +20,9 @@ from statistics import median
 
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
+from pointsurface import vtkSurfaceSplatMapper
 from pointsurface.rendering import offscreen_window, renderer_string, write_whole
+from pointsurface.sampling import sample_by_area
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
@@ -28,7 +30,7 @@ from table1 import make_mapper, read_model  # noqa: E402
 
 MODEL = "bunny"
 CASES = ((100_000, 512), (100_000, 1024), (2_000_000, 512), (2_000_000, 1024))
-RENDERERS = ("CPU", "OpenGL", "gaussian")
+RENDERERS = ("CPU", "OpenGL", "surface splats, CPU", "gaussian")
 # Shares of the time of vtkPointGaussianMapper that are aimed at, by back end, viewport and number of points.
 WANTED = {
     ("CPU", 512, 100_000): 0.2,
@@ -44,9 +46,13 @@ WARM_UP, FRAMES = 3, 11
 def measure(name, count, size):
     """Milliseconds a frame, of the wall and of the process; prints them and the renderer string as JSON."""
     mesh, model = read_model(MODEL)
-    mapper = make_mapper("gaussian" if name == "gaussian" else "default", mesh, count)
+    if name.startswith("surface splats"):
+        mapper = vtkSurfaceSplatMapper()
+        mapper.SetInputData(sample_by_area(mesh, count))
+    else:
+        mapper = make_mapper("gaussian" if name == "gaussian" else "default", mesh, count)
     if name != "gaussian":
-        getattr(mapper, f"SetBackendTo{name}")()
+        getattr(mapper, f"SetBackendTo{name.split()[-1]}")()
     actor = vtkActor()
     actor.SetMapper(mapper)
     renderer = vtkRenderer()
@@ -83,7 +89,7 @@ def make_table(cases=CASES):
     for count, size in cases:
         results = {name: measure_apart(name, count, size) for name in RENDERERS}
         gaussian = results["gaussian"]
-        for name in RENDERERS[:2]:
+        for name in RENDERERS[:-1]:
             ours = results[name]
             wanted = WANTED.get((name, size, count))
             cells = [count, f"{size} x {size}", name]
@@ -94,12 +100,13 @@ def make_table(cases=CASES):
     return HEAD.format(frames=FRAMES, **gaussian) + "\n".join(lines) + "\n"
 
 
-HEAD = """# Whole frames of vtkPullPushMapper and vtkPointGaussianMapper
+HEAD = """# Whole frames of vtkPullPushMapper, vtkSurfaceSplatMapper and vtkPointGaussianMapper
 
 Milliseconds a frame, the median of {frames}, camera moving, each renderer in a process of its own: of the process over
 all its threads, and of the wall. vtkPointGaussianMapper draws opaque discs, triangle scale 1. Points sampled uniformly
 by area on the model {model} (the bunny is of the Stanford University Computer Graphics Laboratory). OpenGL renderer:
 {renderer}.
+Back ends alone are those of vtkPullPushMapper.
 
 | points | viewport | back end | process | Gaussian | ratio | wall | Gaussian | ratio | aimed at |
 | ---: | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |

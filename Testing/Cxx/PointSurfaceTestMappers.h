@@ -6,6 +6,7 @@
 
 #include "vtkPullPushMapper.h"
 #include "vtkSmartPointer.h"
+#include "vtkSurfaceSplatMapper.h"
 
 #include <functional>
 #include <string>
@@ -31,6 +32,7 @@ inline std::vector<MapperClass> GetMapperClasses()
 {
   return {
     MapperClassOf<vtkPullPushMapper>("vtkPullPushMapper"),
+    MapperClassOf<vtkSurfaceSplatMapper>("vtkSurfaceSplatMapper"),
   };
 }
 } // namespace PointSurfaceTest

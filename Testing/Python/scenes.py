@@ -13,9 +13,9 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 from vtkmodules.vtkTestingRendering import vtkTesting
 
-from pointsurface import rendering, vtkPullPushMapper
+from pointsurface import rendering, vtkPullPushMapper, vtkSurfaceSplatMapper
 
-MAPPERS = [vtkPullPushMapper]
+MAPPERS = [vtkPullPushMapper, vtkSurfaceSplatMapper]
 
 BASELINES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Data", "Baseline")
 OUTPUT = os.environ.get("POINTSURFACE_TEST_OUTPUT", ".")

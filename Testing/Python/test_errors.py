@@ -65,7 +65,7 @@ def test_report(errors):
     figures = {row[2]: [float(cell) for cell in row[3:]] for row in cells}
     ours = [errors.PUBLISHED, errors.CULLED, errors.DEFAULT, errors.SUPERSAMPLED]
     labels = list(figures)
-    assert labels[:4] == ours and labels[6:] == [errors.SPLATS]
+    assert labels[:4] == ours and labels[6:] == [errors.SPLATS, errors.OUR_SPLATS, errors.SUPERSAMPLED_SPLATS]
     assert labels[4].startswith(errors.GAUSSIAN) and labels[5].startswith(errors.POINTS)
 
     default, finer = figures[errors.DEFAULT], figures[errors.SUPERSAMPLED]

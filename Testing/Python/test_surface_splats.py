@@ -1,0 +1,258 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkSurfaceSplatMapper beside its double-precision reference, its back ends beside each other, and what it promises."""
+
+import os
+import sys
+
+import numpy as np
+import pytest
+from scenes import Scene, array, assert_baseline, polydata, torus, torus_cloud, torus_mesh
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkSMPTools
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkProperty
+
+from pointsurface import metrics, truth, vtkPullPushMapper, vtkSurfaceSplatMapper
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Reference"))
+from surface_splats import Options, draw_surface_splats  # noqa: E402
+
+BACKENDS = ["CPU", "OpenGL"]
+DIFFERING_SHARE = 1e-3
+TOLERANCE = 1e-4
+
+
+def spheres(count, seed=7):
+    """Two spheres at random points, one partly before the other, with scalars and a radius for each point."""
+    random = np.random.default_rng(seed)
+    normals = random.normal(size=(count, 3))
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    size = np.where(np.arange(count) % 2, 1.0, 0.5)[:, None]
+    shift = np.where(np.arange(count) % 2, 0.0, 1.1)[:, None] * (0.4, 0.2, 1.0)
+    tilted = normals + 0.1 * random.normal(size=(count, 3))
+    data = polydata((normals * size + shift).astype(np.float32), tilted)
+    radii = 1.5 * np.sqrt(8 * np.pi / count) * random.uniform(0.8, 1.2, count)
+    data.GetPointData().AddArray(array(radii, "radius"))
+    data.GetPointData().SetScalars(array(normals[:, 1], "height"))
+    return data
+
+
+def values(data, name, kind=float):
+    return vtk_to_numpy(data.GetPointData().GetArray(name)).astype(kind)
+
+
+def surface(mapper):
+    """The surface buffer's arrays by name, (height, width) or (height, width, components)."""
+    image = vtkImageData()
+    assert mapper.ReadSurfaceBuffer(image)
+    width, height, _ = image.GetDimensions()
+    data = image.GetPointData()
+    layers = {data.GetArrayName(i): vtk_to_numpy(data.GetArray(i)) for i in range(data.GetNumberOfArrays())}
+    return {name: layer.reshape(height, width, *layer.shape[1:]) for name, layer in layers.items()}
+
+
+def rows(matrix):
+    return np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
+
+
+class Frame:
+    """A mapper after one frame, and its camera."""
+
+    def __init__(self, data, size, backend, parallel=False, zoom=1.5, culling=False, colors=False, **properties):
+        scene = Scene(vtkSurfaceSplatMapper, data, size)
+        self.scene, self.mapper, self.data = scene, scene.mapper, data
+        self.mapper.SetBackend(getattr(vtkSurfaceSplatMapper, backend))
+        self.mapper.SetScalarVisibility(colors)
+        self.mapper.SetScalarRange(-1, 1)
+        self.mapper.RecordPointIdsOn()
+        for name, value in properties.items():
+            getattr(self.mapper, f"Set{name}")(value)
+        scene.actor.GetProperty().SetBackfaceCulling(culling)
+        scene.camera.SetParallelProjection(parallel)
+        scene.renderer.ResetCamera()
+        scene.camera.Zoom(zoom)
+        scene.renderer.ResetCameraClippingRange()
+        scene.window.Render()
+        assert self.mapper.GetLastFrameBackend() == getattr(vtkSurfaceSplatMapper, backend)
+
+    def expected(self, options):
+        camera, size = self.scene.camera, self.scene.window.GetSize()
+        data = self.data
+        colors = None
+        if self.mapper.GetScalarVisibility():
+            colors = vtk_to_numpy(self.mapper.MapScalars(1)).astype(float) / 255
+        points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+        return draw_surface_splats(
+            points, values(data, "Normals"), values(data, "radius"), rows(camera.GetViewTransformMatrix()),
+            rows(camera.GetProjectionTransformMatrix(size[0] / size[1], -1, 1)), size, colors, options,
+        )  # fmt: skip
+
+
+SCENES = [
+    dict(count=4000, size=(160, 120)),
+    dict(count=4000, size=(160, 120), parallel=True, colors=True),
+    dict(count=4000, size=(161, 97), culling=True),
+    dict(count=3000, size=(97, 133), zoom=6, colors=True),
+    dict(count=4000, size=(150, 150), BlendRadius=1.0, DepthTolerance=0.5, TrimOutlines=False),
+    dict(count=4000, size=(150, 150), BlendRadius=2.0),
+    dict(count=900, size=(3, 2)),
+    dict(count=900, size=(1, 1)),
+]
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+@pytest.mark.parametrize("scene", SCENES, ids=str)
+def test_agreement(scene, backend):
+    scene = dict(scene)
+    frame = Frame(spheres(scene.pop("count")), backend=backend, **scene)
+    expected = frame.expected(
+        Options(
+            frame.mapper.GetBlendRadius(),
+            frame.mapper.GetDepthTolerance(),
+            frame.mapper.GetTrimOutlines(),
+            scene.get("culling", False),
+        )
+    )
+    drawn = surface(frame.mapper)
+    covered = (expected.depth > 0) | (drawn["Depth"] > 0)
+    near = expected.near_decision & covered
+    differs = covered & (((expected.depth > 0) != (drawn["Depth"] > 0)) | (expected.ids != drawn["PointIds"]))
+    same = covered & ~near & ~differs
+    worst = {
+        "normal": np.abs(expected.normals - drawn["Normals"])[same].max(initial=0),
+        "depth": (np.abs(expected.depth - drawn["Depth"])[same] / expected.depth[same]).max(initial=0),
+    }
+    if expected.colors is not None:
+        worst["color"] = np.abs(expected.colors - drawn["Colors"])[same].max(initial=0)
+    print(
+        f"covered {covered.sum()}, near a decision {near.sum()} ({(near & differs).sum()} differing), "
+        f"differing {(differs & ~near).sum()}, worst {worst}"
+    )
+    assert covered.sum() >= 0.1 * covered.size
+    assert near.sum() <= max(1, 0.05 * covered.sum())
+    assert (differs & ~near).sum() <= DIFFERING_SHARE * covered.sum()
+    assert all(difference <= TOLERANCE for difference in worst.values())
+
+
+BACKEND_SCENES = [
+    dict(),
+    dict(parallel=True, colors=True),
+    dict(culling=True),
+    dict(zoom=8),
+    dict(Supersampling=2, colors=True),
+    dict(count=400_000),  # thinned
+    dict(RadiusScale=0.3),  # gaps all over
+]
+
+
+@pytest.mark.parametrize("scene", BACKEND_SCENES, ids=str)
+def test_back_ends_make_the_same_picture(scene):
+    scene = dict(scene)
+    data = spheres(scene.pop("count", 20000))
+    pictures = [255 * Frame(data, (300, 240), backend, **scene).scene.color() for backend in BACKENDS]
+    differences = np.abs(pictures[0] - pictures[1]).max(axis=-1)
+    print(f"mean {differences.mean():.4f}, over 8 grey levels {np.mean(differences > 8):.5f}")
+    assert differences.mean() < 0.2
+    assert np.mean(differences > 8) <= 1e-3
+    assert np.ptp(pictures[0]) > 30
+
+
+def test_any_number_of_threads_makes_the_same():
+    def draw(backend, threads):
+        if not vtkSMPTools.SetBackend(backend):
+            return None
+        vtkSMPTools.Initialize(threads)
+        frame = Frame(spheres(30000), (200, 160), "CPU", colors=True)
+        return surface(frame.mapper)
+
+    usual = vtkSMPTools.GetBackend()
+    try:
+        results = [draw(backend, threads) for backend in ("Sequential", "STDThread", "TBB") for threads in (1, 2, 4)]
+    finally:
+        vtkSMPTools.SetBackend(usual)
+        vtkSMPTools.Initialize()
+    results = [result for result in results if result]
+    assert len(results) >= 3
+    for other in results[1:]:
+        assert all(np.array_equal(results[0][name], other[name]) for name in other)
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_a_gap_in_the_front_is_closed(backend):
+    """With margins of splats the far side of a sphere is not seen through its near one."""
+    frame = Frame(spheres(30000), (200, 160), backend, RadiusScale=0.8)
+    shares = []
+    for blend_radius in (1, 1.5):
+        frame.mapper.SetBlendRadius(blend_radius)
+        frame.scene.window.Render()
+        drawn = surface(frame.mapper)
+        shares.append(np.mean(drawn["Normals"][drawn["Depth"] > 0, 2] < -0.3))
+    print(f"backs seen without margins {shares[0]:.5f}, with them {shares[1]:.5f}")
+    assert shares[0] > 0.005 and shares[1] < 0.1 * shares[0]
+
+
+def cloud_of_torus(count, seed=3):
+    """Random points of the torus, radii of 1.5 times their spacing."""
+    random = np.random.default_rng(seed)
+    u, v = 2 * np.pi * random.random((2, 3 * count))
+    kept = np.flatnonzero(random.random(3 * count) < (1 + 0.4 * np.cos(v)) / 1.4)[:count]
+    assert len(kept) == count
+    cloud = polydata(*(x.astype(np.float32) for x in torus(u[kept], v[kept])))
+    cloud.GetPointData().AddArray(array(np.full(count, 1.5 * np.sqrt(4 * np.pi**2 * 0.4 / count)), "radius"))
+    return cloud
+
+
+def errors(mapper_class, data, size=(300, 300), **properties):
+    scene = Scene(mapper_class, data, size)
+    scene.camera.Zoom(0.8)
+    for name, value in properties.items():
+        getattr(scene.mapper, f"Set{name}")(value)
+    color = scene.color()
+    drawn = surface(scene.mapper)
+    expected = truth.render_truth(torus_mesh(), scene.renderer, vtkProperty(), size)
+    image = metrics.SurfaceImage(color, drawn["Normals"].astype(float), drawn["Depth"].astype(float))
+    return metrics.compare(image, expected, 3.2), scene
+
+
+def test_errors_are_below_those_of_pull_push():
+    data = cloud_of_torus(40000)
+    (splats, _), (pulled, _) = (errors(mapper, data) for mapper in (vtkSurfaceSplatMapper, vtkPullPushMapper))
+    print(f"PSNR {splats['psnr']:.2f}, pull-push {pulled['psnr']:.2f}; normals {splats['normal_mean']:.2f} degrees")
+    assert splats["psnr"] > pulled["psnr"] + 1
+    assert splats["normal_mean"] < pulled["normal_mean"]
+    assert splats["unfilled"] < 1e-3
+
+
+def test_thinning():
+    """Points beyond what pixels can tell apart are not drawn, and not missed."""
+    data = cloud_of_torus(600_000)
+    (thinned, scene), (full, whole) = (
+        errors(vtkSurfaceSplatMapper, data, (160, 160), ThinPoints=on) for on in (True, False)
+    )
+    drawn = scene.mapper.GetLastFramePointsDrawn()
+    assert whole.mapper.GetLastFramePointsDrawn() == 600_000
+    assert drawn in [-(-600_000 // 2**level) for level in (1, 2, 3, 4)]
+    print(f"PSNR {thinned['psnr']:.2f} with {drawn} points, {full['psnr']:.2f} with all")
+    assert thinned["psnr"] > full["psnr"] - 1.5
+    assert thinned["unfilled"] < 1e-3
+    scene.camera.Zoom(10)
+    scene.window.Render()
+    assert scene.mapper.GetLastFramePointsDrawn() == 600_000
+
+
+def test_statistics():
+    for backend, passes in (("CPU", 2), ("OpenGL", 4)):
+        frame = Frame(spheres(5000), (200, 150), backend)
+        mapper = frame.mapper
+        assert mapper.GetLastFramePointsDrawn() == 5000
+        assert mapper.GetLastFramePasses() == passes  # with ids
+        assert mapper.GetLastFrameReconstructions() == 1
+        assert mapper.GetLastFrameProjectMilliseconds() > 0
+        assert mapper.GetLastFrameReconstructMilliseconds() > 0
+
+
+def test_baseline():
+    """The torus, closed and lit, and what of it covers the mesh's silhouette."""
+    measured, scene = errors(vtkSurfaceSplatMapper, torus_cloud(20000))
+    assert measured["iou"] > 0.98 and measured["unfilled"] < 1e-3
+    assert_baseline(scene.window, "SurfaceSplats")
