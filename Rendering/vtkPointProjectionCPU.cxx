@@ -846,8 +846,8 @@ namespace
 /// Brings the points of a block to the eye; tells which of them are to be seen.
 VTK_POINT_SURFACE_CLONES
 void TransformBlock(const Block& positions, const Block& normals, const float* radii, int count,
-  const vtkPointProjectionCPU::Transform& transform, vtkPointProjectionCPU::EyePoints& points,
-  int* seen)
+  const vtkPointProjectionCPU::Transform& transform, float clippingReach,
+  vtkPointProjectionCPU::EyePoints& points, int* seen)
 {
   const vtkPointProjectionCPU::Transform t = transform; // that no write below can change
   // toViewer is (0, 0, 1) in parallel, else minus the position
@@ -881,10 +881,14 @@ void TransformBlock(const Block& positions, const Block& normals, const float* r
   }
   for (int p = 0; p < t.NumberOfPlanes; ++p)
   {
+    const Row& plane = t.Planes[p];
+    const float reach =
+      clippingReach * std::sqrt(plane.X * plane.X + plane.Y * plane.Y + plane.Z * plane.Z);
     VTK_POINT_SURFACE_INDEPENDENT
     for (int i = 0; i < count; ++i)
     {
-      seen[i] &= t.Planes[p].Of(points.X[i], points.Y[i], points.Z[i]) >= 0.0f ? 1 : 0;
+      const float distance = plane.Of(points.X[i], points.Y[i], points.Z[i]);
+      seen[i] &= distance >= -reach * points.Radius[i] ? 1 : 0;
     }
   }
   if (t.Cull == vtkPointSurfaceView::NoCulling)
@@ -904,9 +908,11 @@ void TransformBlock(const Block& positions, const Block& normals, const float* r
 }
 }
 
-vtkPointProjectionCPU::EyeBlocks::EyeBlocks(const std::vector<Cloud>& clouds, int thinning)
+vtkPointProjectionCPU::EyeBlocks::EyeBlocks(
+  const std::vector<Cloud>& clouds, int thinning, float clippingReach)
   : Parts(MakeParts(clouds))
   , Thinning(thinning)
+  , ClippingReach(clippingReach)
 {
   static_assert(EyePoints::Capacity == BlockSize, "points are brought to the eye in blocks");
   for (size_t part = 0; part < this->Parts.size(); ++part)
@@ -977,7 +983,7 @@ void vtkPointProjectionCPU::EyeBlocks::Fetch(size_t index, EyePoints& points) co
     ids[i] = all ? static_cast<unsigned int>(first + i) : ids[i];
     radii[i] = cloud.GetRadius(ids[i]);
   }
-  TransformBlock(positions, normals, radii, count, part.View, points, seen);
+  TransformBlock(positions, normals, radii, count, part.View, this->ClippingReach, points, seen);
   // without a branch that half of the points would take
   points.Count = 0;
   for (int i = 0; i < count; ++i)

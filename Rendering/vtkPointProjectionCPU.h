@@ -152,14 +152,14 @@ private:
 
 /**
  * The points of the views' ranges of clouds, thinned, those that are within the camera's clipping
- * range, on the kept side of all clipping planes and not culled: block by block, in the order of
- * their ids.
+ * range, not beyond clipping planes and not culled: block by block, in the order of their ids.
  */
 class vtkPointProjectionCPU::EyeBlocks
 {
 public:
-  /// See vtkPointThinning for the level of thinning. The clouds have to outlive this.
-  EyeBlocks(const std::vector<Cloud>& clouds, int thinning);
+  /// See vtkPointThinning for the level of thinning. Points may lie beyond clipping planes by a
+  /// reach in their radii. The clouds have to outlive this.
+  EyeBlocks(const std::vector<Cloud>& clouds, int thinning, float clippingReach);
   ~EyeBlocks();
 
   size_t GetSize() const { return this->Spans.size(); }
@@ -181,6 +181,7 @@ private:
   std::vector<Part> Parts;
   std::vector<Span> Spans;
   int Thinning;
+  float ClippingReach;
 };
 
 #endif

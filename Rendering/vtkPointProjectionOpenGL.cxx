@@ -226,9 +226,9 @@ vtkShaderProgram* vtkPointProjectionOpenGL::ReadyProgram(vtkOpenGLRenderWindow* 
 vtkShaderProgram* vtkPointProjectionOpenGL::ReadyShaders(
   vtkOpenGLRenderWindow* window, Pass& pass, const Shaders& shaders, const Cloud& cloud)
 {
-  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
-    (vtkPointAttributes + shaders.Vertex).c_str(), shaders.Fragment.c_str(),
-    shaders.Geometry.c_str());
+  vtkShaderProgram* program =
+    window->GetShaderCache()->ReadyShaderProgram((vtkPointAttributes + shaders.Vertex).c_str(),
+      shaders.Fragment.c_str(), shaders.Geometry.c_str());
   if (program)
   {
     BindAttributes(pass, program, cloud);

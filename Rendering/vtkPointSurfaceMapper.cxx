@@ -864,6 +864,10 @@ void vtkPointSurfaceMapper::MakeBuffer(
     return;
   }
   state->PushFramebufferBindings();
+  GLint blendEquations[2]; // dual depth peeling has another one than the steps
+  state->vtkglGetIntegerv(GL_BLEND_EQUATION_RGB, &blendEquations[0]);
+  state->vtkglGetIntegerv(GL_BLEND_EQUATION_ALPHA, &blendEquations[1]);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
   {
     vtkOpenGLState::ScopedglViewport viewport(state);
     vtkOpenGLState::ScopedglScissor scissor(state);
@@ -897,6 +901,7 @@ void vtkPointSurfaceMapper::MakeBuffer(
     }
     internals.Timers[Reconstruct].Stop();
   }
+  state->vtkglBlendEquationSeparate(blendEquations[0], blendEquations[1]);
   state->PopFramebufferBindings();
 }
 

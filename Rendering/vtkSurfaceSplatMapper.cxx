@@ -65,7 +65,8 @@ void vtkSurfaceSplatMapper::MakeSurfacePixels(
   vtkInternals& internals = *this->Internals;
   const vtkSurfaceSplatParameters parameters(view, this->GetOptions());
   this->BeginProjection();
-  internals.SplattingCPU.MakeSplats(parameters, this->GetDrawnClouds(view, parameters.Thinning).CPU, colors);
+  internals.SplattingCPU.MakeSplats(
+    parameters, this->GetDrawnClouds(view, parameters.Thinning).CPU, colors);
   this->EndProjection();
   internals.SplattingCPU.DrawSplats(parameters, ids, colors, surface);
   this->LastFramePasses = 2;

@@ -31,10 +31,10 @@ public:
 
   ///@{
   /**
-   * How far a splat is blended, in radii of its disc, 1 to 3: where other discs cover a pixel, and to
-   * close gaps between discs. The weight is (1 - e)^4, e being the square of the distance from the
-   * disc's centre, 1 where blending ends. More smooths noise in normals and positions, and detail.
-   * Default 1.25.
+   * How far a splat is blended, in radii of its disc, 1 to 3: where other discs cover a pixel, and
+   * to close gaps between discs. The weight is (1 - e)^4, e being the square of the distance from
+   * the disc's centre, 1 where blending ends. More smooths noise in normals and positions, and
+   * detail. Default 1.25.
    */
   vtkSetClampMacro(BlendRadius, double, 1.0, 3.0);
   vtkGetMacro(BlendRadius, double);

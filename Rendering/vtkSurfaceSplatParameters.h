@@ -28,9 +28,10 @@ struct vtkSurfaceSplatParameters
   /// Where e is below this a pixel is covered: a little inside of the disc, which reaches over the
   /// outline of what is curved.
   static constexpr float CoreLimit = 0.75f;
-  /// The rest of a splat of the front, as far as it is blended, covers too where else a back would be
-  /// seen, as that is a gap between discs; and where nothing would be seen, which may be one or an
-  /// outline, if the cosine between normal and view is above this: outlines are not seen face-on.
+  /// The rest of a splat of the front, as far as it is blended, covers too where else a back would
+  /// be seen, as that is a gap between discs; and where nothing would be seen, which may be one or
+  /// an outline, if the cosine between normal and view is above this: outlines are not seen
+  /// face-on.
   static constexpr float MarginCosine = 0.9f;
   /// Pixels' sizes that DepthTolerance is added to: the slope of what a pixel sees is unknown.
   static constexpr float TolerancePixels = 2.0f;
@@ -44,8 +45,7 @@ struct vtkSurfaceSplatParameters
   /// Pixels of the projected radius that points are thinned to.
   static constexpr double ThinnedRadius = 1.1;
 
-  vtkSurfaceSplatParameters(
-    const vtkPointSurfaceView& view, const vtkSurfaceSplatOptions& options);
+  vtkSurfaceSplatParameters(const vtkPointSurfaceView& view, const vtkSurfaceSplatOptions& options);
 
   vtkPointSurfaceView View;
   vtkSurfaceSplatOptions Options;

@@ -38,9 +38,9 @@ enum Side
 
 struct vtkSurfaceSplattingCPU::Splat
 {
-  float X, Y;       // of the centre, in pixels from the rectangle's corner
-  float A, B, C;    // e = A dx^2 + B dx dy + C dy^2
-  float Depth;      // of the centre
+  float X, Y;    // of the centre, in pixels from the rectangle's corner
+  float A, B, C; // e = A dx^2 + B dx dy + C dy^2
+  float Depth;   // of the centre
   float SlopeX, SlopeY;
   float Normal[3];
   float ReachX, ReachY; // of what is blended, in pixels
@@ -210,8 +210,8 @@ public:
   }
 
 private:
-  void Add(int group, const vtkPointProjectionCPU::EyePoints& points, const Shapes& shapes,
-    int i) const
+  void Add(
+    int group, const vtkPointProjectionCPU::EyePoints& points, const Shapes& shapes, int i) const
   {
     // pixels whose centres may lie in the ellipse
     const float low[2] = { shapes.X[i] - shapes.ReachX[i] - 0.5f,
@@ -239,8 +239,8 @@ private:
     {
       for (int column = x0 / TileSize; column <= x1 / TileSize; ++column)
       {
-        List& list = this->Splatting->GetList(
-          group, row * this->Splatting->Columns + column, shapes.Side[i]);
+        List& list =
+          this->Splatting->GetList(group, row * this->Splatting->Columns + column, shapes.Side[i]);
         list.Splats.push_back(splat);
         if (this->Colors)
         {
@@ -264,7 +264,8 @@ vtkSurfaceSplattingCPU::~vtkSurfaceSplattingCPU() = default;
 void vtkSurfaceSplattingCPU::MakeSplats(const vtkSurfaceSplatParameters& parameters,
   const std::vector<vtkPointProjectionCPU::Cloud>& clouds, bool colors)
 {
-  const vtkPointProjectionCPU::EyeBlocks blocks(clouds, parameters.Thinning);
+  const vtkPointProjectionCPU::EyeBlocks blocks(
+    clouds, parameters.Thinning, static_cast<float>(parameters.Options.BlendRadius));
   const auto& r = parameters.View.Rectangle;
   this->Columns = (r[2] + TileSize - 1) / TileSize;
   this->Rows = (r[3] + TileSize - 1) / TileSize;
@@ -296,12 +297,63 @@ struct Planes
   alignas(64) float Visible[2][TileSize * Stride]; // depths, of a side
   alignas(64) float Margin[TileSize * Stride];     // depths of the front with margins, in gaps
   alignas(64) float Weight[TileSize * Stride];
-  alignas(64) float Sum[4][TileSize * Stride];    // of normals and depths
+  alignas(64) float Sum[4][TileSize * Stride]; // of normals and depths
   alignas(64) float Colors[4][TileSize * Stride];
   alignas(64) float Heaviest[TileSize * Stride];
   alignas(64) unsigned int Id[TileSize * Stride];
   float Farthest[2][Parts * Parts]; // of the visible depths of a part
   float Gaps[Parts * Parts];        // Far for a part with gaps, else -Far
+};
+
+/// The clipping planes, for the pixels of a tile at their depths.
+struct Clipping
+{
+  Lens Eye;
+  float Planes[6][4]; // in eye coordinates
+  int NumberOfPlanes;
+  float Left, Bottom; // of the tile, in pixels of the image
+
+  explicit Clipping(const vtkSurfaceSplatParameters& parameters)
+    : Eye(MakeLens(parameters))
+    , NumberOfPlanes(parameters.View.NumberOfClippingPlanes)
+    , Left(0.0f)
+    , Bottom(0.0f)
+  {
+    for (int p = 0; p < this->NumberOfPlanes; ++p)
+    {
+      const auto& plane = parameters.View.ClippingPlanes[p];
+      std::transform(plane.begin(), plane.end(), this->Planes[p],
+        [](double value) { return static_cast<float>(value); });
+    }
+  }
+
+  void SetTile(const int corner[2])
+  {
+    this->Left = this->Eye.Corner[0] + corner[0];
+    this->Bottom = this->Eye.Corner[1] + corner[1];
+  }
+
+  /// Far for pixels of a row, from (x, y) on, that are beyond a plane, else 0.
+  VTK_POINT_SURFACE_INLINE void Cut(int x, int y, const float* depths, float* beyond) const
+  {
+    const auto& rows = this->Eye.Rows;
+    const float ndcY = (this->Bottom + y + 0.5f) / this->Eye.HalfSize[1] - 1.0f;
+    for (int i = 0; i < Lanes; ++i)
+    {
+      const float z = -depths[i];
+      const float w = this->Eye.W[2] * z + this->Eye.W[3];
+      const float ndcX = (this->Left + (x + i) + 0.5f) / this->Eye.HalfSize[0] - 1.0f;
+      const float eyeY = (ndcY * w - rows[1][2] * z - rows[1][3]) / rows[1][1];
+      const float eyeX = (ndcX * w - rows[0][1] * eyeY - rows[0][2] * z - rows[0][3]) / rows[0][0];
+      beyond[i] = 0.0f;
+      for (int p = 0; p < this->NumberOfPlanes; ++p)
+      {
+        const float* plane = this->Planes[p];
+        const float distance = plane[0] * eyeX + plane[1] * eyeY + plane[2] * z + plane[3];
+        beyond[i] = distance < 0.0f ? Far : beyond[i];
+      }
+    }
+  }
 };
 
 /// The pixels of a tile that may lie in a splat, and the polynomials from its first one on.
@@ -357,12 +409,13 @@ void FindFarthest(const float* depths, float* parts)
   }
 }
 
-/// The least depths of the splats where e is below the limit, or their own margin if the limit is 0;
-/// those of the back with the tolerance added. Splats that are farther than all of `hiding` in the
-/// parts that they reach are left out.
+/// The least depths of the splats where e is below the limit, or their own margin if the limit is
+/// 0; those of the back with the tolerance added. Splats that are farther than all of `hiding` in
+/// the parts that they reach are left out.
 VTK_POINT_SURFACE_CLONES
 void FindDepths(const vtkSurfaceSplattingCPU::Splat* splats, size_t count, const int* corner,
-  float share, float givenLimit, bool back, const float* hiding, float* depths)
+  const Clipping& clipping, float share, float givenLimit, bool back, const float* hiding,
+  float* depths)
 {
   for (size_t s = 0; s < count; ++s)
   {
@@ -374,30 +427,39 @@ void FindDepths(const vtkSurfaceSplattingCPU::Splat* splats, size_t count, const
     {
       continue;
     }
-    const float depth = splat.Depth + added;
     for (int x = span.X0; x <= span.X1; x += Lanes)
     {
       float quadratic[Lanes];
       float linear[Lanes];
       float start[Lanes];
+      float beyond[Lanes] = {};
       for (int i = 0; i < Lanes; ++i)
       {
         const float dx = span.Dx + static_cast<float>(x - span.X0 + i);
         quadratic[i] = splat.A * dx * dx;
         linear[i] = splat.B * dx;
-        start[i] = depth + splat.SlopeX * dx;
+        start[i] = splat.Depth + splat.SlopeX * dx;
       }
       for (int y = span.Y0; y <= span.Y1; ++y)
       {
         const float dy = span.Dy + static_cast<float>(y - span.Y0);
         float* row = depths + y * Stride + x;
+        float d[Lanes];
+        for (int i = 0; i < Lanes; ++i)
+        {
+          d[i] = start[i] + splat.SlopeY * dy;
+        }
+        if (clipping.NumberOfPlanes > 0)
+        {
+          clipping.Cut(x, y, d, beyond);
+        }
         VTK_POINT_SURFACE_INDEPENDENT
         for (int i = 0; i < Lanes; ++i)
         {
-          const float e = quadratic[i] + dy * (linear[i] + splat.C * dy);
-          const float d = start[i] + splat.SlopeY * dy;
+          const float e = quadratic[i] + dy * (linear[i] + splat.C * dy) + beyond[i];
+          const float key = d[i] + added;
           const float old = row[i];
-          const float least = d < old ? d : old;
+          const float least = key < old ? key : old;
           row[i] = e < limit ? least : old;
         }
       }
@@ -408,8 +470,8 @@ void FindDepths(const vtkSurfaceSplattingCPU::Splat* splats, size_t count, const
 /// Adds up what lies at the visible depths.
 template <bool Ids, bool WithColors>
 VTK_POINT_SURFACE_INLINE void BlendSplats(const vtkSurfaceSplattingCPU::Splat* splats,
-  const std::array<float, 4>* colors, size_t count, const int* corner, float inverseBlend,
-  bool back, Planes& planes)
+  const std::array<float, 4>* colors, size_t count, const int* corner, const Clipping& clipping,
+  float inverseBlend, bool back, Planes& planes)
 {
   const float* visible = planes.Visible[back ? Back : Front];
   const float* farthest = planes.Farthest[back ? Back : Front];
@@ -419,8 +481,7 @@ VTK_POINT_SURFACE_INLINE void BlendSplats(const vtkSurfaceSplattingCPU::Splat* s
     const Span span = MakeSpan(splat, corner, 1.0f);
     // as the visible depths of the back have it, so that the difference is the tolerance too
     const float added = back ? splat.Tolerance : 0.0f;
-    if (span.IsEmpty() ||
-      splat.Nearest + added > GetFarthest(farthest, span) + splat.Tolerance)
+    if (span.IsEmpty() || splat.Nearest + added > GetFarthest(farthest, span) + splat.Tolerance)
     {
       continue;
     }
@@ -430,6 +491,7 @@ VTK_POINT_SURFACE_INLINE void BlendSplats(const vtkSurfaceSplattingCPU::Splat* s
       float quadratic[Lanes];
       float linear[Lanes];
       float start[Lanes];
+      float beyond[Lanes] = {};
       for (int i = 0; i < Lanes; ++i)
       {
         const float dx = span.Dx + static_cast<float>(x - span.X0 + i);
@@ -442,20 +504,28 @@ VTK_POINT_SURFACE_INLINE void BlendSplats(const vtkSurfaceSplattingCPU::Splat* s
         const float dy = span.Dy + static_cast<float>(y - span.Y0);
         const int first = y * Stride + x;
         float weights[Lanes];
+        float d[Lanes];
+        for (int i = 0; i < Lanes; ++i)
+        {
+          d[i] = start[i] + splat.SlopeY * dy;
+        }
+        if (clipping.NumberOfPlanes > 0)
+        {
+          clipping.Cut(x, y, d, beyond);
+        }
         VTK_POINT_SURFACE_INDEPENDENT
         for (int i = 0; i < Lanes; ++i)
         {
-          const float e = quadratic[i] + dy * (linear[i] + splat.C * dy);
-          const float d = start[i] + splat.SlopeY * dy;
+          const float e = quadratic[i] + dy * (linear[i] + splat.C * dy) + beyond[i];
           const float root = 1.0f - inverseBlend * e;
-          const bool seen = (root > 0.0f) & (d + added <= visible[first + i] + splat.Tolerance);
+          const bool seen = (root > 0.0f) & (d[i] + added <= visible[first + i] + splat.Tolerance);
           const float square = root * root;
           const float weight = seen ? square * square : 0.0f;
           planes.Weight[first + i] += weight;
           planes.Sum[0][first + i] += weight * splat.Normal[0];
           planes.Sum[1][first + i] += weight * splat.Normal[1];
           planes.Sum[2][first + i] += weight * splat.Normal[2];
-          planes.Sum[3][first + i] += weight * d;
+          planes.Sum[3][first + i] += weight * d[i];
           weights[i] = weight;
         }
         if (WithColors)
@@ -484,34 +554,38 @@ VTK_POINT_SURFACE_INLINE void BlendSplats(const vtkSurfaceSplattingCPU::Splat* s
 
 VTK_POINT_SURFACE_CLONES
 void BlendPlain(const vtkSurfaceSplattingCPU::Splat* splats, const std::array<float, 4>* colors,
-  size_t count, const int* corner, float inverseBlend, bool back, Planes& planes)
+  size_t count, const int* corner, const Clipping& clipping, float inverseBlend, bool back,
+  Planes& planes)
 {
-  BlendSplats<false, false>(splats, colors, count, corner, inverseBlend, back, planes);
+  BlendSplats<false, false>(splats, colors, count, corner, clipping, inverseBlend, back, planes);
 }
 
 VTK_POINT_SURFACE_CLONES
 void BlendColors(const vtkSurfaceSplattingCPU::Splat* splats, const std::array<float, 4>* colors,
-  size_t count, const int* corner, float inverseBlend, bool back, Planes& planes)
+  size_t count, const int* corner, const Clipping& clipping, float inverseBlend, bool back,
+  Planes& planes)
 {
-  BlendSplats<false, true>(splats, colors, count, corner, inverseBlend, back, planes);
+  BlendSplats<false, true>(splats, colors, count, corner, clipping, inverseBlend, back, planes);
 }
 
 VTK_POINT_SURFACE_CLONES
 void BlendIds(const vtkSurfaceSplattingCPU::Splat* splats, const std::array<float, 4>* colors,
-  size_t count, const int* corner, float inverseBlend, bool back, Planes& planes)
+  size_t count, const int* corner, const Clipping& clipping, float inverseBlend, bool back,
+  Planes& planes)
 {
-  BlendSplats<true, false>(splats, colors, count, corner, inverseBlend, back, planes);
+  BlendSplats<true, false>(splats, colors, count, corner, clipping, inverseBlend, back, planes);
 }
 
 VTK_POINT_SURFACE_CLONES
 void BlendBoth(const vtkSurfaceSplattingCPU::Splat* splats, const std::array<float, 4>* colors,
-  size_t count, const int* corner, float inverseBlend, bool back, Planes& planes)
+  size_t count, const int* corner, const Clipping& clipping, float inverseBlend, bool back,
+  Planes& planes)
 {
-  BlendSplats<true, true>(splats, colors, count, corner, inverseBlend, back, planes);
+  BlendSplats<true, true>(splats, colors, count, corner, clipping, inverseBlend, back, planes);
 }
 
-/// Which parts of the tile have pixels where the back is seen, or nothing. Returns whether there are
-/// any.
+/// Which parts of the tile have pixels where the back is seen, or nothing. Returns whether there
+/// are any.
 bool FindGaps(bool showingBack, Planes& planes)
 {
   bool any = false;
@@ -590,6 +664,8 @@ public:
     }
     Planes& planes = this->MyPlanes;
     const auto blend = static_cast<float>(parameters.Options.BlendRadius);
+    Clipping clipping(parameters);
+    clipping.SetTile(corner);
     const float share = std::sqrt(vtkSurfaceSplatParameters::CoreLimit) / blend;
     for (int side : { Front, Back })
     {
@@ -597,9 +673,9 @@ public:
       for (int group = 0; group < splatting->Groups && !empty[side]; ++group)
       {
         const List& list = splatting->GetList(group, tile, side);
-        FindDepths(list.Splats.data(), list.Splats.size(), corner, share,
-          vtkSurfaceSplatParameters::CoreLimit,
-          side == Back, side == Back ? planes.Farthest[Front] : nullptr, planes.Visible[side]);
+        FindDepths(list.Splats.data(), list.Splats.size(), corner, clipping, share,
+          vtkSurfaceSplatParameters::CoreLimit, side == Back,
+          side == Back ? planes.Farthest[Front] : nullptr, planes.Visible[side]);
       }
       if (side == Front && !empty[Back])
       {
@@ -616,7 +692,7 @@ public:
       for (int group = 0; group < splatting->Groups; ++group)
       {
         const List& list = splatting->GetList(group, tile, Front);
-        FindDepths(list.Splats.data(), list.Splats.size(), corner, 1.0f,
+        FindDepths(list.Splats.data(), list.Splats.size(), corner, clipping, 1.0f,
           showingBack ? blend * blend : 0.0f, false, planes.Gaps, planes.Margin);
       }
       CloseGaps(showingBack, planes.Visible[Front], planes.Visible[Back], planes.Margin);
@@ -626,15 +702,15 @@ public:
     const bool ids = !pixels.Id.empty();
     const bool colors = !pixels.Color.empty();
     this->Clear(ids, colors);
-    const auto blendSplats = ids ? (colors ? BlendBoth : BlendIds)
-                                 : (colors ? BlendColors : BlendPlain);
+    const auto blendSplats =
+      ids ? (colors ? BlendBoth : BlendIds) : (colors ? BlendColors : BlendPlain);
     for (int side : { Front, Back })
     {
       FindFarthest(planes.Visible[side], planes.Farthest[side]);
       for (int group = 0; group < splatting->Groups && !empty[side]; ++group)
       {
         const List& list = splatting->GetList(group, tile, side);
-        blendSplats(list.Splats.data(), list.Colors.data(), list.Splats.size(), corner,
+        blendSplats(list.Splats.data(), list.Colors.data(), list.Splats.size(), corner, clipping,
           1.0f / (blend * blend), side == Back, planes);
       }
     }

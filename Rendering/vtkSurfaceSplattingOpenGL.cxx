@@ -33,8 +33,9 @@ std::string GetConstants()
   text << std::showpoint << "#define LOW_PASS_VARIANCE " << Parameters::LowPassVariance
        << "\n#define TOLERANCE_PIXELS " << Parameters::TolerancePixels << "\n#define TRIM_COSINE "
        << Parameters::TrimCosine << "\n#define MARGIN_COSINE " << Parameters::MarginCosine
-       << "\n#define CORE_LIMIT " << Parameters::CoreLimit << "\n#define TRIM_LIMIT " << Parameters::TrimLimit
-       << "\n#define LARGEST_SHARE_OF_DEPTH " << Parameters::LargestShareOfDepth << "\n";
+       << "\n#define CORE_LIMIT " << Parameters::CoreLimit << "\n#define TRIM_LIMIT "
+       << Parameters::TrimLimit << "\n#define LARGEST_SHARE_OF_DEPTH "
+       << Parameters::LargestShareOfDepth << "\n";
   return text.str();
 }
 

@@ -45,14 +45,14 @@ vec4 getColor()
   return colorSource == 0 ? constantColor : colorSource == 1 ? scalarColor : vec4(colorSource == 2 ? colorTCoord : tcoord, 0.0, 1.0);
 }
 
-// Whether the point is to be seen: within the clipping range, on the kept side of all planes, not
-// culled.
-bool isVisible(vec4 position, vec4 clip, bool facesViewer)
+// Whether the point is to be seen: within the clipping range, not farther beyond a clipping plane than
+// its reach, not culled.
+bool isVisible(vec4 position, vec4 clip, float reach, bool facesViewer)
 {
   bool visible = clip.w > 0.0 && abs(clip.z) <= clip.w && cull != (facesViewer ? 2 : 1);
   for (int i = 0; i < numberOfClippingPlanes; ++i)
   {
-    visible = visible && dot(clippingPlanes[i], position) >= 0.0;
+    visible = visible && dot(clippingPlanes[i], position) >= -reach * length(clippingPlanes[i].xyz);
   }
   return visible;
 }

@@ -27,7 +27,7 @@ void main()
 
   gl_PointSize = 1.0;
   gl_Position = VCDCMatrix * position;
-  if (!isVisible(position, gl_Position, facesViewer))
+  if (!isVisible(position, gl_Position, 0.0, facesViewer))
   {
     interval = vec4(0.0);
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A pixel of a splat: in the first pass for the depth that is visible, in the second for what is
 // blended there, in the third, which selection alone has, for the splat of the largest weight.
+uniform mat4 VCDCMatrix;
+uniform vec2 targetSize;        // in pixels
+uniform int numberOfClippingPlanes;
+uniform vec4 clippingPlanes[6]; // in eye coordinates
 uniform float blendRadius;
 
 flat in vec2 center;
@@ -13,11 +17,28 @@ flat in vec3 normal;
 flat in vec4 color;
 flat in uint id;
 
+// The place in eye coordinates that a pixel has at a depth.
+vec4 getPosition(float depth)
+{
+  vec2 ndc = 2.0 * gl_FragCoord.xy / targetSize - 1.0;
+  float w = VCDCMatrix[3][3] - VCDCMatrix[2][3] * depth;
+  float y = (ndc.y * w + VCDCMatrix[2].y * depth - VCDCMatrix[3].y) / VCDCMatrix[1].y;
+  float x = (ndc.x * w - VCDCMatrix[1].x * y + VCDCMatrix[2].x * depth - VCDCMatrix[3].x) / VCDCMatrix[0].x;
+  return vec4(x, y, -depth, 1.0);
+}
+
 void main()
 {
   vec2 d = gl_FragCoord.xy - center;
   float e = ellipse.x * d.x * d.x + d.y * (ellipse.y * d.x + ellipse.z * d.y);
   float depth = plane.x + dot(plane.yz, d);
+  for (int i = 0; i < numberOfClippingPlanes; ++i)
+  {
+    if (dot(clippingPlanes[i], getPosition(depth)) < 0.0)
+    {
+      discard;
+    }
+  }
   // a back is only seen where it is before the front by more than the tolerance
   float key = depth + isBack * tolerance;
 #ifdef OUT_NEARNESS

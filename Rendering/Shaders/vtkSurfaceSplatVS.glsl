@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A point of the cloud at the eye; radius 0: it is not drawn. After vtkPointAttributes.glsl.
+uniform float blendRadius;
 uniform int thinning; // of 2^thinning points that follow each other, one is drawn
 
 out vec4 disc; // xyz: centre; w: radius
@@ -25,8 +26,9 @@ void main()
   discNormal = getNormal(toViewer);
   bool facesViewer = dot(discNormal, toViewer) >= 0.0;
   bool isKept = getPointOfGroup(uint(gl_VertexID) >> thinning) == uint(gl_VertexID);
-  bool isDrawn = isKept && isVisible(position, VCDCMatrix * position, facesViewer);
-  disc = vec4(position.xyz, isDrawn ? getRadius() : 0.0);
+  float radius = getRadius();
+  bool isDrawn = isKept && isVisible(position, VCDCMatrix * position, blendRadius * radius, facesViewer);
+  disc = vec4(position.xyz, isDrawn ? radius : 0.0);
   discColor = getColor();
   discId = uint(gl_VertexID + firstId) + 1u;
   gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
