@@ -119,7 +119,7 @@ def test_lit_as_the_mesh(plain, name):
     mapper_class, headlight = plain
     other = inner_difference(mapper_class, {**LIGHTS, **MATERIALS}[name])
     print(f"{name}: {other:.3f}, headlight: {headlight:.3f}")
-    assert other <= 1.1 * headlight
+    assert other <= max(1.1 * headlight, 1.0)  # grey levels
 
 
 @pytest.mark.parametrize("mapper_class", MAPPERS)
@@ -142,7 +142,7 @@ def test_two_sided(mapper_class):
             data.SetNormals(array(-vtk_to_numpy(data.GetNormals()), "Normals"))
 
     assert inner_difference(mapper_class, turn_normals) == pytest.approx(
-        inner_difference(mapper_class, several), rel=0.2
+        inner_difference(mapper_class, several), rel=0.2, abs=1.0
     )
 
 
