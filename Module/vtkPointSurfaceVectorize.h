@@ -35,15 +35,19 @@
 #define VTK_POINT_SURFACE_INLINE inline
 #endif
 
-// Before a loop: its turns do not depend on each other; and: it is short, write its turns out.
+// Before a loop: its turns do not depend on each other; the same of a loop with a turn for each
+// lane, which would be written out otherwise; and: it is short, write its turns out.
 #if defined(__clang__)
 #define VTK_POINT_SURFACE_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
+#define VTK_POINT_SURFACE_LANES VTK_POINT_SURFACE_INDEPENDENT
 #define VTK_POINT_SURFACE_UNROLL _Pragma("clang loop unroll(full)")
 #elif defined(__GNUC__)
 #define VTK_POINT_SURFACE_INDEPENDENT _Pragma("GCC ivdep")
+#define VTK_POINT_SURFACE_LANES _Pragma("GCC ivdep") _Pragma("GCC unroll 1")
 #define VTK_POINT_SURFACE_UNROLL _Pragma("GCC unroll 8")
 #else
 #define VTK_POINT_SURFACE_INDEPENDENT
+#define VTK_POINT_SURFACE_LANES
 #define VTK_POINT_SURFACE_UNROLL
 #endif
 

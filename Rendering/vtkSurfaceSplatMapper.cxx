@@ -41,7 +41,6 @@ vtkSurfaceSplatOptions vtkSurfaceSplatMapper::GetOptions() const
   vtkSurfaceSplatOptions options;
   options.BlendRadius = this->BlendRadius;
   options.DepthTolerance = this->DepthTolerance;
-  options.TrimOutlines = this->TrimOutlines;
   options.ThinPoints = this->ThinPoints;
   return options;
 }
@@ -77,6 +76,5 @@ void vtkSurfaceSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "BlendRadius: " << this->BlendRadius << "\n";
   os << indent << "DepthTolerance: " << this->DepthTolerance << "\n";
-  os << indent << "TrimOutlines: " << this->TrimOutlines << "\n";
   os << indent << "ThinPoints: " << this->ThinPoints << "\n";
 }

@@ -7,9 +7,8 @@
  * the visible depth of each pixel, a second one blends the normals, depths and colours of what lies
  * near that depth. After: M. Zwicker, H. Pfister, J. van Baar, M. Gross, Surface Splatting,
  * SIGGRAPH 2001, and M. Botsch, L. Kobbelt, High-Quality Point-Based Rendering on Modern GPUs,
- * Pacific Graphics 2003; with weights that end at a disc's edge in place of a Gaussian, and splats
- * made smaller at outlines. On the CPU back end the splats are sorted into tiles that fit into the
- * processor's cache.
+ * Pacific Graphics 2003; with weights that end in place of a Gaussian. On the CPU back end the
+ * splats are sorted into tiles that fit into the processor's cache.
  *
  * Fronts are not blended with backs: where both lie within the tolerance the front is seen, as with
  * vtkProperty's BackfaceCulling.
@@ -52,18 +51,7 @@ public:
 
   ///@{
   /**
-   * Make splats smaller that are seen nearly edge-on (the cosine between normal and view is below
-   * 0.15), down to a fifth of their radius: they lie at outlines, over which they would reach.
-   * Default on.
-   */
-  vtkSetMacro(TrimOutlines, bool);
-  vtkGetMacro(TrimOutlines, bool);
-  vtkBooleanMacro(TrimOutlines, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Where all projected radii are so small that pixels cannot tell the points apart, draw one of 2,
+   * Where projected radii are so small that pixels cannot tell the points apart, draw one of 2,
    * 4, 8, ... points that follow each other, chosen at random, with a radius that is larger to
    * match: up to 1.1 pixels. Default on.
    */
@@ -88,7 +76,6 @@ protected:
 
   double BlendRadius = 1.25;
   double DepthTolerance = 2.0;
-  bool TrimOutlines = true;
   bool ThinPoints = true;
 
 private:

@@ -6,8 +6,7 @@
 
 namespace
 {
-/// The binary logarithm of how many of the points may be one, where the nearest of them have
-/// `radius` pixels.
+/// The binary logarithm of how many of the points may be one, where they have `radius` pixels.
 int GetThinning(double radius, vtkIdType points)
 {
   constexpr vtkIdType Fewest = 1000; // so that it does not matter if the last ones are left out
@@ -32,8 +31,9 @@ vtkSurfaceSplatParameters::vtkSurfaceSplatParameters(
   const bool allInFront = nearestW > 0.0;
   if (options.ThinPoints && allInFront)
   {
-    const double radius = 0.5 * view.MeanRadius * view.Size[1] * std::abs(m[5]) / nearestW;
-    this->Thinning = GetThinning(radius, view.GetNumberOfPoints());
+    const double nearest = 0.5 * view.MeanRadius * view.Size[1] * std::abs(m[5]) / nearestW;
+    this->Thinning =
+      GetThinning(std::max(view.TypicalRadius, 0.5 * nearest), view.GetNumberOfPoints());
   }
 }
 

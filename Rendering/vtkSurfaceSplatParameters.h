@@ -17,7 +17,6 @@ struct vtkSurfaceSplatOptions
 {
   double BlendRadius = 1.25;
   double DepthTolerance = 2.0;
-  bool TrimOutlines = true;
   bool ThinPoints = true;
 };
 
@@ -35,14 +34,11 @@ struct vtkSurfaceSplatParameters
   static constexpr float MarginCosine = 0.9f;
   /// Pixels' sizes that DepthTolerance is added to: the slope of what a pixel sees is unknown.
   static constexpr float TolerancePixels = 2.0f;
-  /// Cosine between normal and view below which discs are made smaller, and how small at least: the
-  /// factor on the square of the radius.
-  static constexpr float TrimCosine = 0.15f;
-  static constexpr float TrimLimit = 0.04f;
-  /// Largest radius in a perspective, as a share of the distance: there the projection of a disc is
-  /// still an ellipse, nearly.
+  /// How far discs may reach in depth in a perspective, as a share of their own: as far as their
+  /// projections are nearly ellipses.
   static constexpr float LargestShareOfDepth = 0.5f;
-  /// Pixels of the projected radius that points are thinned to.
+  /// Pixels of the projected radius that points are thinned to, amid the cloud; the nearest ones
+  /// may have twice as many.
   static constexpr double ThinnedRadius = 1.1;
 
   vtkSurfaceSplatParameters(const vtkPointSurfaceView& view, const vtkSurfaceSplatOptions& options);

@@ -62,7 +62,7 @@ struct Shapes
   alignas(64) float Depth[Capacity], SlopeX[Capacity], SlopeY[Capacity];
   alignas(64) float ReachX[Capacity], ReachY[Capacity];
   alignas(64) float Tolerance[Capacity], Nearest[Capacity], Margin[Capacity];
-  int Side[Capacity];
+  alignas(64) float Facing[Capacity];
 };
 
 /// What they are made with, in single precision.
@@ -75,7 +75,6 @@ struct Lens
   float PixelSize; // in eye units, times w
   float BlendRadius;
   float DepthTolerance;
-  float InverseTrimCosine; // 0: outlines are not trimmed
   bool Parallel;
 };
 
@@ -97,8 +96,6 @@ Lens MakeLens(const vtkSurfaceSplatParameters& parameters)
   lens.PixelSize = parameters.GetPixelSize();
   lens.BlendRadius = static_cast<float>(parameters.Options.BlendRadius);
   lens.DepthTolerance = static_cast<float>(parameters.Options.DepthTolerance);
-  lens.InverseTrimCosine =
-    parameters.Options.TrimOutlines ? 1.0f / vtkSurfaceSplatParameters::TrimCosine : 0.0f;
   lens.Parallel = view.IsParallel();
   return lens;
 }
@@ -128,20 +125,16 @@ void MakeShapes(
 
     const float distance = std::sqrt(x * x + y * y + z * z);
     const float facing = lens.Parallel ? nz : -(x * nx + y * ny + z * nz) / distance;
-    const float limit = Parameters::LargestShareOfDepth * -z;
+    const float tilt = std::sqrt(nx * nx + ny * ny);
+    const float limit = Parameters::LargestShareOfDepth * -z / tilt; // infinite without a tilt
     const float given = points.Radius[i];
     const float limited = given < limit ? given : limit;
     const float radius = parallel > 0.0f ? given : limited;
     const float tolerance =
       lens.DepthTolerance * radius + Parameters::TolerancePixels * lens.PixelSize * w;
-    const float ofTrim = std::abs(facing) * lens.InverseTrimCosine;
-    const float atLeast = ofTrim > Parameters::TrimLimit ? ofTrim : Parameters::TrimLimit;
-    const float trim = ofTrim < 1.0f ? atLeast : 1.0f;
-    const float trimmed = lens.InverseTrimCosine > 0.0f ? radius * std::sqrt(trim) : radius;
-
-    // a step of the trimmed radius along an axis of the eye, in pixels
-    const float ofX = trimmed * lens.HalfSize[0] / w;
-    const float ofY = trimmed * lens.HalfSize[1] / w;
+    // a step of the radius along an axis of the eye, in pixels
+    const float ofX = radius * lens.HalfSize[0] / w;
+    const float ofY = radius * lens.HalfSize[1] / w;
     const float xx = ofX * (lens.Rows[0][0] - ndcX * lens.W[0]);
     const float xy = ofX * (lens.Rows[0][1] - ndcX * lens.W[1]);
     const float xz = ofX * (lens.Rows[0][2] - ndcX * lens.W[2]);
@@ -155,8 +148,8 @@ void MakeShapes(
     const float v22 = yx * yx + yy * yy + yz * yz - yn * yn + Parameters::LowPassVariance;
     const float inverse = 1.0f / (v11 * v22 - v12 * v12);
     // covariances of the place on the screen with the depth
-    const float ofDepthX = trimmed * (nz * xn - xz);
-    const float ofDepthY = trimmed * (nz * yn - yz);
+    const float ofDepthX = radius * (nz * xn - xz);
+    const float ofDepthY = radius * (nz * yn - yz);
     shapes.X[i] = lens.HalfSize[0] * (ndcX + 1.0f) - lens.Corner[0];
     shapes.Y[i] = lens.HalfSize[1] * (ndcY + 1.0f) - lens.Corner[1];
     shapes.A[i] = v22 * inverse;
@@ -168,10 +161,10 @@ void MakeShapes(
     shapes.ReachX[i] = lens.BlendRadius * std::sqrt(v11);
     shapes.ReachY[i] = lens.BlendRadius * std::sqrt(v22);
     shapes.Tolerance[i] = tolerance;
-    shapes.Nearest[i] = -z - lens.BlendRadius * trimmed;
+    shapes.Nearest[i] = -z - lens.BlendRadius * radius;
     shapes.Margin[i] = facing > Parameters::MarginCosine ? lens.BlendRadius * lens.BlendRadius
                                                          : Parameters::CoreLimit;
-    shapes.Side[i] = facing >= 0.0f ? Front : Back;
+    shapes.Facing[i] = facing;
   }
 }
 }
@@ -239,8 +232,8 @@ private:
     {
       for (int column = x0 / TileSize; column <= x1 / TileSize; ++column)
       {
-        List& list =
-          this->Splatting->GetList(group, row * this->Splatting->Columns + column, shapes.Side[i]);
+        List& list = this->Splatting->GetList(
+          group, row * this->Splatting->Columns + column, shapes.Facing[i] >= 0.0f ? Front : Back);
         list.Splats.push_back(splat);
         if (this->Colors)
         {
@@ -334,13 +327,14 @@ struct Clipping
   }
 
   /// Far for pixels of a row, from (x, y) on, that are beyond a plane, else 0.
-  VTK_POINT_SURFACE_INLINE void Cut(int x, int y, const float* depths, float* beyond) const
+  VTK_POINT_SURFACE_INLINE void Cut(
+    int x, int y, const float* depths, float added, float* beyond) const
   {
     const auto& rows = this->Eye.Rows;
     const float ndcY = (this->Bottom + y + 0.5f) / this->Eye.HalfSize[1] - 1.0f;
     for (int i = 0; i < Lanes; ++i)
     {
-      const float z = -depths[i];
+      const float z = -(depths[i] + added);
       const float w = this->Eye.W[2] * z + this->Eye.W[3];
       const float ndcX = (this->Left + (x + i) + 0.5f) / this->Eye.HalfSize[0] - 1.0f;
       const float eyeY = (ndcY * w - rows[1][2] * z - rows[1][3]) / rows[1][1];
@@ -419,7 +413,7 @@ void FindDepths(const vtkSurfaceSplattingCPU::Splat* splats, size_t count, const
 {
   for (size_t s = 0; s < count; ++s)
   {
-    const vtkSurfaceSplattingCPU::Splat& splat = splats[s];
+    const vtkSurfaceSplattingCPU::Splat splat = splats[s]; // that no write below can change
     const Span span = MakeSpan(splat, corner, share);
     const float added = back ? splat.Tolerance : 0.0f;
     const float limit = givenLimit > 0.0f ? givenLimit : splat.Margin;
@@ -433,6 +427,7 @@ void FindDepths(const vtkSurfaceSplattingCPU::Splat* splats, size_t count, const
       float linear[Lanes];
       float start[Lanes];
       float beyond[Lanes] = {};
+      VTK_POINT_SURFACE_LANES
       for (int i = 0; i < Lanes; ++i)
       {
         const float dx = span.Dx + static_cast<float>(x - span.X0 + i);
@@ -444,20 +439,16 @@ void FindDepths(const vtkSurfaceSplattingCPU::Splat* splats, size_t count, const
       {
         const float dy = span.Dy + static_cast<float>(y - span.Y0);
         float* row = depths + y * Stride + x;
-        float d[Lanes];
-        for (int i = 0; i < Lanes; ++i)
-        {
-          d[i] = start[i] + splat.SlopeY * dy;
-        }
         if (clipping.NumberOfPlanes > 0)
         {
-          clipping.Cut(x, y, d, beyond);
+          clipping.Cut(x, y, start, splat.SlopeY * dy, beyond);
         }
-        VTK_POINT_SURFACE_INDEPENDENT
+        VTK_POINT_SURFACE_LANES
         for (int i = 0; i < Lanes; ++i)
         {
           const float e = quadratic[i] + dy * (linear[i] + splat.C * dy) + beyond[i];
-          const float key = d[i] + added;
+          const float d = start[i] + splat.SlopeY * dy;
+          const float key = d + added;
           const float old = row[i];
           const float least = key < old ? key : old;
           row[i] = e < limit ? least : old;
@@ -477,7 +468,7 @@ VTK_POINT_SURFACE_INLINE void BlendSplats(const vtkSurfaceSplattingCPU::Splat* s
   const float* farthest = planes.Farthest[back ? Back : Front];
   for (size_t s = 0; s < count; ++s)
   {
-    const vtkSurfaceSplattingCPU::Splat& splat = splats[s];
+    const vtkSurfaceSplattingCPU::Splat splat = splats[s]; // that no write below can change
     const Span span = MakeSpan(splat, corner, 1.0f);
     // as the visible depths of the back have it, so that the difference is the tolerance too
     const float added = back ? splat.Tolerance : 0.0f;
@@ -492,6 +483,7 @@ VTK_POINT_SURFACE_INLINE void BlendSplats(const vtkSurfaceSplattingCPU::Splat* s
       float linear[Lanes];
       float start[Lanes];
       float beyond[Lanes] = {};
+      VTK_POINT_SURFACE_LANES
       for (int i = 0; i < Lanes; ++i)
       {
         const float dx = span.Dx + static_cast<float>(x - span.X0 + i);
@@ -504,29 +496,31 @@ VTK_POINT_SURFACE_INLINE void BlendSplats(const vtkSurfaceSplattingCPU::Splat* s
         const float dy = span.Dy + static_cast<float>(y - span.Y0);
         const int first = y * Stride + x;
         float weights[Lanes];
-        float d[Lanes];
-        for (int i = 0; i < Lanes; ++i)
-        {
-          d[i] = start[i] + splat.SlopeY * dy;
-        }
         if (clipping.NumberOfPlanes > 0)
         {
-          clipping.Cut(x, y, d, beyond);
+          clipping.Cut(x, y, start, splat.SlopeY * dy, beyond);
         }
-        VTK_POINT_SURFACE_INDEPENDENT
+        const float* deepest = visible + first;
+        float* weight = planes.Weight + first;
+        float* sumX = planes.Sum[0] + first;
+        float* sumY = planes.Sum[1] + first;
+        float* sumZ = planes.Sum[2] + first;
+        float* sumDepth = planes.Sum[3] + first;
+        VTK_POINT_SURFACE_LANES
         for (int i = 0; i < Lanes; ++i)
         {
           const float e = quadratic[i] + dy * (linear[i] + splat.C * dy) + beyond[i];
+          const float d = start[i] + splat.SlopeY * dy;
           const float root = 1.0f - inverseBlend * e;
-          const bool seen = (root > 0.0f) & (d[i] + added <= visible[first + i] + splat.Tolerance);
+          const bool seen = (root > 0.0f) & (d + added <= deepest[i] + splat.Tolerance);
           const float square = root * root;
-          const float weight = seen ? square * square : 0.0f;
-          planes.Weight[first + i] += weight;
-          planes.Sum[0][first + i] += weight * splat.Normal[0];
-          planes.Sum[1][first + i] += weight * splat.Normal[1];
-          planes.Sum[2][first + i] += weight * splat.Normal[2];
-          planes.Sum[3][first + i] += weight * d[i];
-          weights[i] = weight;
+          const float own = seen ? square * square : 0.0f;
+          weight[i] += own;
+          sumX[i] += own * splat.Normal[0];
+          sumY[i] += own * splat.Normal[1];
+          sumZ[i] += own * splat.Normal[2];
+          sumDepth[i] += own * d;
+          weights[i] = own;
         }
         if (WithColors)
         {

@@ -31,11 +31,9 @@ std::string GetConstants()
   using Parameters = vtkSurfaceSplatParameters;
   std::ostringstream text;
   text << std::showpoint << "#define LOW_PASS_VARIANCE " << Parameters::LowPassVariance
-       << "\n#define TOLERANCE_PIXELS " << Parameters::TolerancePixels << "\n#define TRIM_COSINE "
-       << Parameters::TrimCosine << "\n#define MARGIN_COSINE " << Parameters::MarginCosine
-       << "\n#define CORE_LIMIT " << Parameters::CoreLimit << "\n#define TRIM_LIMIT "
-       << Parameters::TrimLimit << "\n#define LARGEST_SHARE_OF_DEPTH "
-       << Parameters::LargestShareOfDepth << "\n";
+       << "\n#define CORE_LIMIT " << Parameters::CoreLimit << "\n#define MARGIN_COSINE "
+       << Parameters::MarginCosine << "\n#define TOLERANCE_PIXELS " << Parameters::TolerancePixels
+       << "\n#define LARGEST_SHARE_OF_DEPTH " << Parameters::LargestShareOfDepth << "\n";
   return text.str();
 }
 
@@ -45,7 +43,6 @@ void SetUniforms(vtkShaderProgram* program, const vtkSurfaceSplatParameters& par
   program->SetUniformf("pixelSize", parameters.GetPixelSize());
   program->SetUniformf("blendRadius", static_cast<float>(parameters.Options.BlendRadius));
   program->SetUniformf("depthTolerance", static_cast<float>(parameters.Options.DepthTolerance));
-  program->SetUniformi("trimOutlines", parameters.Options.TrimOutlines);
 }
 }
 

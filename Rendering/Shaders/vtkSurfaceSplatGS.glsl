@@ -14,7 +14,6 @@ uniform vec2 targetSize;    // in pixels
 uniform float pixelSize;    // in eye units, times w
 uniform float blendRadius;
 uniform float depthTolerance;
-uniform bool trimOutlines;
 
 flat out vec2 center;       // in pixels
 flat out vec3 ellipse;      // e = x dx^2 + y dx dy + z dy^2
@@ -41,9 +40,8 @@ void main()
   float facing = parallel ? normal.z : -dot(position, normal) / length(position);
   isBack = facing >= 0.0 ? 0.0 : 1.0;
   facesViewer = facing > MARGIN_COSINE ? 1.0 : 0.0;
-  radius = parallel ? radius : min(radius, -LARGEST_SHARE_OF_DEPTH * position.z);
+  radius = parallel ? radius : min(radius, -LARGEST_SHARE_OF_DEPTH * position.z / max(length(normal.xy), 1e-20));
   tolerance = depthTolerance * radius + TOLERANCE_PIXELS * pixelSize * clip.w;
-  radius *= trimOutlines ? sqrt(clamp(abs(facing) / TRIM_COSINE, TRIM_LIMIT, 1.0)) : 1.0;
 
   // a step of the radius along an axis of the eye, in pixels
   mat4 rows = transpose(VCDCMatrix);

@@ -93,7 +93,7 @@ SCENES = [
     dict(count=4000, size=(160, 120), parallel=True, colors=True),
     dict(count=4000, size=(161, 97), culling=True),
     dict(count=3000, size=(97, 133), zoom=6, colors=True),
-    dict(count=4000, size=(150, 150), BlendRadius=1.0, DepthTolerance=0.5, TrimOutlines=False),
+    dict(count=4000, size=(150, 150), BlendRadius=1.0, DepthTolerance=0.5),
     dict(count=4000, size=(150, 150), BlendRadius=2.0),
     dict(count=900, size=(3, 2)),
     dict(count=900, size=(1, 1)),
@@ -109,7 +109,6 @@ def test_agreement(scene, backend):
         Options(
             frame.mapper.GetBlendRadius(),
             frame.mapper.GetDepthTolerance(),
-            frame.mapper.GetTrimOutlines(),
             scene.get("culling", False),
         )
     )

@@ -14,7 +14,6 @@ import numpy as np
 LOW_PASS_VARIANCE = 0.05  # square pixels
 CORE = 0.75  # e below which a disc covers a pixel
 MARGIN_COSINE = 0.9
-TRIM_COSINE, LEAST_TRIM = 0.15, 0.04
 TOLERANCE_PIXELS = 2
 FRAGMENTS_AT_ONCE = 1 << 20
 
@@ -37,7 +36,6 @@ class Surface:
 class Options:
     blend_radius: float = 1.25
     depth_tolerance: float = 2
-    trim_outlines: bool = True
     cull_backfaces: bool = False
 
 
@@ -140,7 +138,8 @@ class _Splats:
         self.depth = -eye[:, 2]
         radius = np.asarray(radii, float)[kept]
         if not parallel:
-            radius = np.minimum(radius, self.depth / 2)
+            tilt = np.linalg.norm(self.normals[:, :2], axis=1)
+            radius = np.minimum(radius, self.depth / 2 / np.maximum(tilt, 1e-300))
 
         clip = np.c_[eye, np.ones(len(eye))] @ projection.T
         w = clip[:, 3]
@@ -148,8 +147,6 @@ class _Splats:
         self.center = (ndc + 1) / 2 * self.size
         pixel = 2 * w / (self.size[1] * abs(projection[1, 1]))
         self.tolerance = options.depth_tolerance * radius + TOLERANCE_PIXELS * pixel
-        if options.trim_outlines:
-            radius = radius * np.sqrt(np.clip(np.abs(self.facing) / TRIM_COSINE, LEAST_TRIM, 1))
 
         # the projection of the disc's second moment, of the screen and the depth
         jacobian = np.zeros((len(eye), 3, 3))
