@@ -53,7 +53,7 @@ public:
   /**
    * Where projected radii are so small that pixels cannot tell the points apart, draw one of 2,
    * 4, 8, ... points that follow each other, chosen at random, with a radius that is larger to
-   * match: up to 1.1 pixels. Default on.
+   * match: up to 1.6 pixels. Default on.
    */
   vtkSetMacro(ThinPoints, bool);
   vtkGetMacro(ThinPoints, bool);

@@ -39,7 +39,7 @@ struct vtkSurfaceSplatParameters
   static constexpr float LargestShareOfDepth = 0.5f;
   /// Pixels of the projected radius that points are thinned to, amid the cloud; the nearest ones
   /// may have twice as many.
-  static constexpr double ThinnedRadius = 1.1;
+  static constexpr double ThinnedRadius = 1.6;
 
   vtkSurfaceSplatParameters(const vtkPointSurfaceView& view, const vtkSurfaceSplatOptions& options);
 
