@@ -30,7 +30,7 @@
  * cloud, so that they close each other's gaps, and so are all translucent ones. Points that a ghost
  * array hides are not drawn.
  *
- * @sa vtkPullPushMapper vtkPointSpacing vtkPointNormals vtkIsosurfacePoints
+ * @sa vtkPullPushMapper vtkSurfaceSplatMapper vtkPointSpacing vtkPointNormals vtkIsosurfacePoints
  */
 #ifndef vtkPointSurfaceMapper_h
 #define vtkPointSurfaceMapper_h
