@@ -77,6 +77,29 @@ vtkIdType vtkDrawableSplats::GetNumberOfSplats() const
   return count;
 }
 
+std::vector<vtkDrawableSplats::Range> vtkDrawableSplats::GetRanges(
+  int order, const std::vector<Range>& ofPoints) const
+{
+  const std::vector<Splat>& splats = this->GetSplats(order);
+  auto find = [&splats](vtkIdType position)
+  {
+    return static_cast<vtkIdType>(
+      std::lower_bound(splats.begin(), splats.end(), position,
+        [](const Splat& splat, vtkIdType sought) { return splat.Position < sought; }) -
+      splats.begin());
+  };
+  std::vector<Range> ranges;
+  for (const Range& range : ofPoints)
+  {
+    const Range found = { find(range[0]), find(range[1]) };
+    if (found[0] < found[1])
+    {
+      ranges.push_back(found);
+    }
+  }
+  return ranges;
+}
+
 std::vector<std::string> vtkDrawableSplats::Build(
   vtkPolyData* cloud, const std::vector<unsigned int>& ids, const std::array<double, 3>& origin)
 {
@@ -120,6 +143,7 @@ std::vector<std::string> vtkDrawableSplats::Build(
 
     Splat splat{};
     splat.Id = static_cast<unsigned int>(id);
+    splat.Position = i;
     splat.Radius = static_cast<float>(radii->GetTuple1(id));
     bool sound = order >= 1.0 && order <= vtkAlgebraicSplat::MaximumOrder &&
       vtkAlgebraicSplat::GetNumberOfCoefficients(static_cast<int>(order)) <= components &&

@@ -21,6 +21,9 @@ class vtkPolyData;
 class vtkDrawableSplats
 {
 public:
+  /// Positions in a list, from the first to the one past the last.
+  using Range = std::array<vtkIdType, 2>;
+
   struct Splat
   {
     std::array<float, 3> Center; ///< about GetOrigin()
@@ -28,6 +31,7 @@ public:
     std::array<float, 3> U, V, Normal; ///< unit
     std::array<float, 2> Heights;      ///< between which g lies over the disc, in units of Radius
     unsigned int Id;                   ///< of its point
+    vtkIdType Position;                ///< in the list of points to be drawn
     std::array<float, vtkAlgebraicSplat::MaximumNumberOfCoefficients> Coefficients;
   };
 
@@ -44,6 +48,11 @@ public:
    */
   const std::vector<Splat>& GetSplats(int order) const { return this->Groups[order - 1]; }
   vtkIdType GetNumberOfSplats() const;
+
+  /**
+   * Where in GetSplats(order) those lie that are of points in ranges of the list to be drawn.
+   */
+  std::vector<Range> GetRanges(int order, const std::vector<Range>& ofPoints) const;
 
   const std::array<double, 3>& GetOrigin() const { return this->Origin; }
 

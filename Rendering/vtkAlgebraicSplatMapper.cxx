@@ -6,6 +6,7 @@
 #include "vtkAlgebraicSplatTracingOpenGL.h"
 #include "vtkDrawablePoints.h"
 #include "vtkDrawableSplats.h"
+#include "vtkPointBlocks.h"
 #include "vtkPointSurfaceView.h"
 #include "vtkSurfacePixels.h"
 #include "vtkSurfaceTarget.h"
@@ -65,11 +66,17 @@ vtkAlgebraicSplatOptions vtkAlgebraicSplatMapper::GetOptions() const
 }
 
 //------------------------------------------------------------------------------
+void vtkAlgebraicSplatMapper::AddArrayNames(std::vector<std::string>& names)
+{
+  this->Superclass::AddArrayNames(names);
+  names.insert(names.end(), { "SplatCoefficients", "SplatOrder", "SplatAxes", "radius" });
+}
+
 void vtkAlgebraicSplatMapper::ComputeBounds()
 {
   this->Superclass::ComputeBounds();
   // a patch reaches a little beyond its disc; what it reaches exactly is known when it is drawn
-  vtkPolyData* input = this->GetInput();
+  vtkPolyData* input = this->GetBlocks().GetCloud();
   vtkDataArray* radii = input ? input->GetPointData()->GetArray("radius") : nullptr;
   if (!radii || !vtkMath::AreBoundsInitialized(this->Bounds))
   {
@@ -142,8 +149,8 @@ void vtkAlgebraicSplatMapper::MakeSurfaceBuffer(
     internals.UploadedTime = view.DataTime;
     internals.UploadedColors = colors;
   }
-  internals.Tracing.Run(window, view, this->GetOptions(), surface);
-  this->LastFramePointsDrawn = internals.Splats.GetNumberOfSplats();
+  internals.Tracing.Run(window, internals.Splats, view, this->GetOptions(), surface);
+  this->LastFramePointsDrawn += view.GetNumberOfPoints();
   this->LastFramePasses = internals.Tracing.GetPasses();
 }
 
@@ -157,7 +164,7 @@ void vtkAlgebraicSplatMapper::MakeSurfacePixels(
     color = [this](unsigned int id) { return this->GetPointColor(id); };
   }
   vtkAlgebraicSplatTracingCPU::Run(internals.Splats, view, this->GetOptions(), ids, color, surface);
-  this->LastFramePointsDrawn = internals.Splats.GetNumberOfSplats();
+  this->LastFramePointsDrawn += view.GetNumberOfPoints();
   this->LastFramePasses = 1;
 }
 

@@ -71,6 +71,7 @@ protected:
   vtkAlgebraicSplatMapper();
   ~vtkAlgebraicSplatMapper() override;
 
+  void AddArrayNames(std::vector<std::string>& names) override;
   void ComputeBounds() override;
   void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
   bool UsesProjection() const override { return false; }

@@ -520,20 +520,24 @@ void vtkAlgebraicSplatTracingCPU::Run(const vtkDrawableSplats& splats,
   surface.Allocate({ r[0], r[1], r[0] + r[2], r[1] + r[3] }, ids, static_cast<bool>(color));
   const vtkAlgebraicSplatTransform transform(view, splats.GetOrigin());
   const Tracer tracer(view, options, transform);
-  std::vector<TracedSplat> placed(splats.GetNumberOfSplats());
-  vtkIdType first = 0;
+  std::vector<TracedSplat> placed;
+  placed.reserve(splats.GetNumberOfSplats());
   for (int order = 1; order <= vtkAlgebraicSplat::MaximumOrder; ++order)
   {
     const std::vector<Splat>& group = splats.GetSplats(order);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(group.size()),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
+    for (const vtkDrawableSplats::Range& range : splats.GetRanges(order, view.Ranges))
+    {
+      const vtkIdType first = static_cast<vtkIdType>(placed.size()) - range[0];
+      placed.resize(placed.size() + range[1] - range[0]);
+      vtkSMPTools::For(range[0], range[1],
+        [&](vtkIdType begin, vtkIdType end)
         {
-          placed[first + i] = tracer.Place(group[i], order);
-        }
-      });
-    first += static_cast<vtkIdType>(group.size());
+          for (vtkIdType i = begin; i < end; ++i)
+          {
+            placed[first + i] = tracer.Place(group[i], order);
+          }
+        });
+    }
   }
 
   const Tiles tiles(tracer, options, placed, color, surface);

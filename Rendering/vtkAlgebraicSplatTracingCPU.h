@@ -23,8 +23,8 @@ public:
   using ColorSource = std::function<std::array<float, 4>(unsigned int)>;
 
   /**
-   * Makes the pixels of the view's rectangle, with ids if asked, and colours if `color` tells that
-   * of a splat's point.
+   * Makes the pixels of the view's rectangle from the splats in its ranges, with ids if asked, and
+   * colours if `color` tells that of a splat's point.
    */
   static void Run(const vtkDrawableSplats& splats, const vtkPointSurfaceView& view,
     const vtkAlgebraicSplatOptions& options, bool ids, const ColorSource& color,

@@ -75,7 +75,7 @@ void vtkAlgebraicSplatTracingOpenGL::ReleaseGraphicsResources(vtkWindow* window)
   {
     group.Texels->ReleaseGraphicsResources(window);
     group.Buffer->ReleaseGraphicsResources();
-    group.Count = 0;
+    group.Ranges.clear();
   }
   for (vtkSurfaceTarget* target : { &this->Visible, &this->Sums, &this->Ids })
   {
@@ -98,7 +98,6 @@ size_t vtkAlgebraicSplatTracingOpenGL::Upload(
   {
     Group& group = this->Groups[order - 1];
     const std::vector<vtkDrawableSplats::Splat>& source = splats.GetSplats(order);
-    group.Count = static_cast<int>(source.size());
     group.Stride = FrameTexels + GetCoefficientTexels(order) + (color ? 1 : 0);
     group.Texels->ReleaseGraphicsResources(window);
     if (source.empty())
@@ -138,9 +137,13 @@ size_t vtkAlgebraicSplatTracingOpenGL::Upload(
 
 //------------------------------------------------------------------------------
 void vtkAlgebraicSplatTracingOpenGL::Run(vtkOpenGLRenderWindow* window,
-  const vtkPointSurfaceView& view, const vtkAlgebraicSplatOptions& options,
-  vtkSurfaceTarget& surface)
+  const vtkDrawableSplats& splats, const vtkPointSurfaceView& view,
+  const vtkAlgebraicSplatOptions& options, vtkSurfaceTarget& surface)
 {
+  for (int order = 1; order <= vtkAlgebraicSplat::MaximumOrder; ++order)
+  {
+    this->Groups[order - 1].Ranges = splats.GetRanges(order, view.Ranges);
+  }
   const vtkAlgebraicSplatTransform transform(view, this->Origin);
   vtkOpenGLState* state = window->GetState();
   const int width = view.Size[0];
@@ -193,7 +196,7 @@ void vtkAlgebraicSplatTracingOpenGL::DrawSplats(vtkOpenGLRenderWindow* window,
   for (int order = 1; order <= vtkAlgebraicSplat::MaximumOrder; ++order)
   {
     Group& group = this->Groups[order - 1];
-    if (group.Count == 0)
+    if (group.Ranges.empty())
     {
       continue;
     }
@@ -219,7 +222,11 @@ void vtkAlgebraicSplatTracingOpenGL::DrawSplats(vtkOpenGLRenderWindow* window,
     }
     group.Texels->Activate();
     program->SetUniformi("splats", group.Texels->GetTextureUnit());
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, group.Count);
+    for (const auto& range : group.Ranges)
+    {
+      program->SetUniformi("first", static_cast<int>(range[0]));
+      glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(range[1] - range[0]));
+    }
     group.Texels->Deactivate();
   }
   this->VertexArray->Release();

@@ -14,6 +14,7 @@
 #include "vtkSurfaceTarget.h"
 
 #include "vtkNew.h"
+#include "vtkType.h"
 
 #include <array>
 #include <cstddef>
@@ -50,11 +51,12 @@ public:
     vtkOpenGLRenderWindow* window, const vtkDrawableSplats& splats, const ColorSource& color);
 
   /**
-   * Fills `surface` within the view's rectangle. It has the layer Color if and only if colours were
-   * uploaded.
+   * Fills `surface` within the view's rectangle from those of the uploaded splats that are in the
+   * view's ranges. It has the layer Color if and only if colours were uploaded.
    */
-  void Run(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
-    const vtkAlgebraicSplatOptions& options, vtkSurfaceTarget& surface);
+  void Run(vtkOpenGLRenderWindow* window, const vtkDrawableSplats& splats,
+    const vtkPointSurfaceView& view, const vtkAlgebraicSplatOptions& options,
+    vtkSurfaceTarget& surface);
 
   /**
    * Passes over the splats or the image of the last run.
@@ -69,8 +71,8 @@ private:
 
   struct Group
   {
-    int Count = 0;
-    int Stride = 0; // texels a splat
+    std::vector<std::array<vtkIdType, 2>> Ranges; // of splats that are drawn
+    int Stride = 0;                               // texels a splat
     vtkNew<vtkOpenGLBufferObject> Buffer;
     vtkNew<vtkTextureObject> Texels;
   };

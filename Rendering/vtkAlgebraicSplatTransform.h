@@ -25,8 +25,15 @@ struct vtkAlgebraicSplatTransform
     : Rays(view)
   {
     const auto& m = view.VCDC;
-    this->Planes.push_back({ 0.0, 0.0, m[11] + m[10], m[15] + m[14] });
-    this->Planes.push_back({ 0.0, 0.0, m[11] - m[10], m[15] - m[14] });
+    for (int side : { 1, -1 })
+    {
+      std::array<double, 4> plane;
+      for (int row = 0; row < 4; ++row)
+      {
+        plane[row] = m[4 * row + 3] + side * m[4 * row + 2];
+      }
+      this->Planes.push_back(plane);
+    }
     this->Planes.insert(this->Planes.end(), view.ClippingPlanes.begin(),
       view.ClippingPlanes.begin() + view.NumberOfClippingPlanes);
     for (int i = 0; i < 3; ++i)

@@ -3,6 +3,7 @@
 // A splat's place in eye coordinates, and the rectangle around it on the screen.
 uniform samplerBuffer splats; // see vtkAlgebraicSplatTracingOpenGL
 uniform int stride;           // texels a splat
+uniform int first;            // splat to be drawn
 uniform mat3 toEye;
 uniform vec3 origin;          // of the splats, in eye coordinates
 uniform mat4 VCDCMatrix;
@@ -19,7 +20,7 @@ flat out int firstTexel;
 
 void main()
 {
-  firstTexel = gl_InstanceID * stride;
+  firstTexel = (first + gl_InstanceID) * stride;
   vec4 place = texelFetch(splats, firstTexel);
   vec4 across = texelFetch(splats, firstTexel + 1);
   vec4 along = texelFetch(splats, firstTexel + 2);
