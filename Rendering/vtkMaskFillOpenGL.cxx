@@ -10,11 +10,33 @@
 #include "vtkShaderProgram.h"
 
 #include <utility>
+#include <vector>
 
 vtkMaskFillOpenGL::vtkMaskFillOpenGL()
   : Fill(vtkMaskFillFS)
   , Count(std::string("#define COUNTING\n") + vtkMaskFillFS)
 {
+}
+
+namespace
+{
+/// Whether a query of samples can begin: OpenGL has one at a time, and depth peeling has it around
+/// all that is drawn.
+bool CanCountSamples()
+{
+  bool can = true;
+  std::vector<GLenum> kinds = { GL_SAMPLES_PASSED };
+#ifdef GL_ANY_SAMPLES_PASSED
+  kinds.push_back(GL_ANY_SAMPLES_PASSED);
+#endif
+  for (GLenum kind : kinds)
+  {
+    GLint current = 0;
+    glGetQueryiv(kind, GL_CURRENT_QUERY, &current);
+    can = can && current == 0;
+  }
+  return can;
+}
 }
 
 int vtkMaskFillOpenGL::Run(vtkOpenGLRenderWindow* window, const vtkMaskFillOptions& options,
@@ -30,8 +52,7 @@ int vtkMaskFillOpenGL::Run(vtkOpenGLRenderWindow* window, const vtkMaskFillOptio
   vtkOpenGLState* state = window->GetState();
   GLuint query = 0;
   glGenQueries(1, &query);
-  int iterations = 0;
-  for (; iterations < options.MaximumIterations; ++iterations)
+  auto isDone = [&]()
   {
     state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glBeginQuery(GL_SAMPLES_PASSED, query);
@@ -41,10 +62,13 @@ int vtkMaskFillOpenGL::Run(vtkOpenGLRenderWindow* window, const vtkMaskFillOptio
     ++passes;
     GLuint fillable = 0;
     glGetQueryObjectuiv(query, GL_QUERY_RESULT, &fillable);
-    if (fillable == 0)
-    {
-      break;
-    }
+    return fillable == 0;
+  };
+  const bool canCount = CanCountSamples(); // else all iterations are made, though some do nothing
+  int iterations = 0;
+  while (iterations < options.MaximumIterations && !(canCount && isDone()))
+  {
+    ++iterations;
     this->Fill.Run(window, *surface, *spare, rectangle, setUniforms);
     ++passes;
     std::swap(surface, spare);
