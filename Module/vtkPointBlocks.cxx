@@ -27,7 +27,7 @@ vtkPolyData* vtkPointBlocks::GetCloud() const
 }
 
 void vtkPointBlocks::Update(vtkDataObject* input, vtkCompositeDataDisplayAttributes* attributes,
-  const std::vector<std::string>& arrays)
+  bool normals, const std::vector<std::string>& arrays)
 {
   this->Composite = input && !vtkPointSet::SafeDownCast(input);
   this->Blocks.clear();
@@ -48,7 +48,7 @@ void vtkPointBlocks::Update(vtkDataObject* input, vtkCompositeDataDisplayAttribu
   if (!(source == this->CloudSource))
   {
     this->CloudSource = source;
-    this->MakeCloud(input, arrays);
+    this->MakeCloud(input, normals, arrays);
   }
 }
 
@@ -106,7 +106,8 @@ void vtkPointBlocks::Visit(vtkDataObject* object, vtkCompositeDataDisplayAttribu
 }
 
 //------------------------------------------------------------------------------
-void vtkPointBlocks::MakeCloud(vtkDataObject* input, const std::vector<std::string>& arrays)
+void vtkPointBlocks::MakeCloud(
+  vtkDataObject* input, bool normals, const std::vector<std::string>& arrays)
 {
   this->Remarks = this->Skipped;
   if (this->Blocks.size() < 2)
@@ -138,7 +139,10 @@ void vtkPointBlocks::MakeCloud(vtkDataObject* input, const std::vector<std::stri
   }
   this->Points->SetData(this->Arrays["(coordinates)"].Join(coordinates));
   this->Cloud->SetPoints(this->Points);
-  this->JoinAttribute(vtkDataSetAttributes::NORMALS, "normals");
+  if (normals)
+  {
+    this->JoinAttribute(vtkDataSetAttributes::NORMALS, "normals");
+  }
   this->JoinAttribute(vtkDataSetAttributes::TCOORDS, "texture coordinates");
   for (const std::string& name : arrays)
   {

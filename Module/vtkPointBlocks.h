@@ -59,9 +59,10 @@ public:
 
   /**
    * Reads the input and what is said of its blocks; `arrays` are the point arrays that are needed
-   * beside normals, texture coordinates and ghosts. Does next to nothing when nothing has changed.
+   * beside texture coordinates, ghosts and, if asked, normals. Does next to nothing when nothing
+   * has changed.
    */
-  void Update(vtkDataObject* input, vtkCompositeDataDisplayAttributes* attributes,
+  void Update(vtkDataObject* input, vtkCompositeDataDisplayAttributes* attributes, bool normals,
     const std::vector<std::string>& arrays);
 
   /**
@@ -115,7 +116,7 @@ private:
 
   void Visit(vtkDataObject* object, vtkCompositeDataDisplayAttributes* attributes,
     vtkPointBlock inherited, unsigned int& flatIndex);
-  void MakeCloud(vtkDataObject* input, const std::vector<std::string>& arrays);
+  void MakeCloud(vtkDataObject* input, bool normals, const std::vector<std::string>& arrays);
   void JoinAttribute(int attribute, const char* what);
   vtkDataArray* JoinNamed(const std::string& name);
 

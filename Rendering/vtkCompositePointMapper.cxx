@@ -113,7 +113,7 @@ void vtkCompositePointMapper::UpdateBlocks()
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   this->Internals->Blocks.Update(
-    this->GetInputDataObject(0, 0), this->Internals->Attributes, names);
+    this->GetInputDataObject(0, 0), this->Internals->Attributes, this->NeedsNormals(), names);
 }
 
 std::vector<vtkPointBlockGroup> vtkCompositePointMapper::GetBlockGroups(

@@ -148,6 +148,11 @@ protected:
   std::vector<vtkPointBlockGroup> GetBlockGroups(vtkRenderer* renderer, vtkActor* actor);
 
   /**
+   * Whether the subclass makes use of the points' normals. True by default.
+   */
+  virtual bool NeedsNormals() const { return true; }
+
+  /**
    * Adds the names of point arrays that are needed beside normals, texture coordinates and ghosts.
    */
   virtual void AddArrayNames(std::vector<std::string>&) {}

@@ -150,8 +150,9 @@ public:
    * "Displacement" (float, 2 components, in cells from the cell's centre to the point), "Colors"
    * (float, 4 components) if the cloud has colours, "PointIds" (int) if RecordPointIds is on. Field
    * data: "Projection" (16 doubles, the matrix from eye to clip coordinates by rows, for column
-   * vectors), "Gamma" (the tolerance in eye units), "Size" (2 ints, of the surface buffer in
-   * samples). Returns false, with an error, when nothing has been rendered yet.
+   * vectors; the image reaches over the viewport where the cloud does, and so does this), "Gamma"
+   * (the tolerance in eye units), "Size" (2 ints, of the surface buffer in samples). Returns false,
+   * with an error, when nothing has been rendered yet.
    */
   bool ReadImageBuffer(vtkImageData* nearest, vtkImageData* farthest);
 
@@ -163,6 +164,7 @@ protected:
 
   bool NeedsNormals() const override { return false; }
   bool NeedsRadii() const override { return false; }
+  double GetRim() const override { return 5.0; } // cells: of a fit and of a splat
   double GetNeededSamplingQuantile() const override { return this->SamplingQuantile; }
   void MakeSurfaceBuffer(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
     vtkSurfaceTarget& surface) override;

@@ -497,6 +497,7 @@ private:
     {
       this->P.Options.PlaneSplats ? this->EvaluatePlane(cell, row, left, right)
                                   : this->EvaluateSquare(cell, row, left, right);
+      this->Clip(row, left, right);
       functor(row, left, right);
     }
   }
@@ -545,6 +546,34 @@ private:
       // negative for all that faces the viewer
       const float depth = rise / std::min(slope, -1e-6f);
       this->Depths[x] = cell.Depth + std::min(std::max(depth, -limit), limit);
+    }
+  }
+
+  /// What is beyond a clipping plane is no part of the splat, lest it hide what is behind it.
+  void Clip(int row, int left, int right)
+  {
+    const vtkPointSurfaceView& view = this->P.ImageView;
+    const std::array<float, 4>& ray = this->P.EyeRay;
+    const std::array<float, 4>& step = this->P.EyeRayStep;
+    for (int x = left; x < right && view.NumberOfClippingPlanes > 0; ++x)
+    {
+      const float place[2] = { (x + this->Left + 0.5f) * this->P.PixelToCell[0],
+        (row + 0.5f) * this->P.PixelToCell[1] };
+      double eye[3] = { 0.0, 0.0, -this->Depths[x] };
+      for (int k = 0; k < 2; ++k)
+      {
+        eye[k] =
+          ray[2 + k] + place[k] * step[2 + k] + this->Depths[x] * (ray[k] + place[k] * step[k]);
+      }
+      eye[0] -= this->P.Shear * eye[1];
+      for (int i = 0; i < view.NumberOfClippingPlanes; ++i)
+      {
+        const std::array<double, 4>& plane = view.ClippingPlanes[i];
+        if (plane[0] * eye[0] + plane[1] * eye[1] + plane[2] * eye[2] + plane[3] < 0.0)
+        {
+          this->Kernel[x] = 0.0f;
+        }
+      }
     }
   }
 

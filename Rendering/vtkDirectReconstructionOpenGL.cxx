@@ -190,6 +190,14 @@ void vtkDirectReconstructionOpenGL::DrawSplats(
   program->SetUniformi("planes", parameters.Options.PlaneSplats);
   program->SetUniformf("leastWidth", vtkDirectParameters::LeastWidth);
   program->SetUniformi("depthTest", parameters.Options.DepthTestInSplats);
+  const vtkPointSurfaceView& view = parameters.ImageView;
+  float clippingPlanes[6][4];
+  for (int i = 0; i < 24; ++i)
+  {
+    clippingPlanes[i / 4][i % 4] = static_cast<float>(view.ClippingPlanes[i / 4][i % 4]);
+  }
+  program->SetUniformi("numberOfClippingPlanes", view.NumberOfClippingPlanes);
+  program->SetUniform4fv("clippingPlanes", 6, clippingPlanes);
   surface.BindForWriting(window);
   DrawRectangle(window, pass, parameters.Rectangle, { 0, 0 });
   ++this->Passes;

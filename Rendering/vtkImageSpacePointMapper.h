@@ -186,7 +186,7 @@ protected:
   void MakeSurfaceBuffer(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
     vtkSurfaceTarget& surface) override;
   bool HasCPUForm() const override { return true; }
-  bool NeedsRim() const override { return true; }
+  double GetRim() const override { return 2.0; } // what fills may take their values from
   void MakeSurfacePixels(
     const vtkPointSurfaceView& view, bool ids, bool colors, vtkSurfacePixels& surface) override;
   bool MakesCoverage() const override;

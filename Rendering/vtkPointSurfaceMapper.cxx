@@ -442,7 +442,7 @@ vtkSmartPointer<vtkDataArray> vtkPointSurfaceMapper::GetNormals()
   vtkNew<vtkFloatArray> standIn;
   standIn->SetNumberOfComponents(3);
   standIn->InsertNextTuple3(0.0, 0.0, 1.0);
-  return this->Internals->StandIns["normalMC"].Keep(standIn);
+  return this->Internals->StandIns["no normals"].Keep(standIn);
 }
 
 vtkDataArray* vtkPointSurfaceMapper::RequireTuples(vtkDataArray* array, const char* what)
@@ -736,8 +736,8 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(
   }
   if (!view.Ranges.empty())
   {
-    view.SetExtent(modelToEye, GetBoundsOf(blocks, points.GetBounds()).data(),
-      this->NeedsRim() ? vtkTextureObject::GetMaximumTextureSize(this->Internals->Window) : 0);
+    view.SetExtent(modelToEye, GetBoundsOf(blocks, points.GetBounds()).data(), this->GetRim(),
+      vtkTextureObject::GetMaximumTextureSize(this->Internals->Window));
   }
   return view;
 }
@@ -827,6 +827,33 @@ void vtkPointSurfaceMapper::FindOrMakeSurfaceBuffer(
   this->MakeBuffer(*surface, view, needsIds, vtkPointProjectionOpenGL::HasColors(this->VBOs));
 }
 
+namespace
+{
+/// As VTK's scopes of other state, which has none for this. Depth peeling blends by the maximum.
+class ScopedBlendEquation
+{
+public:
+  explicit ScopedBlendEquation(vtkOpenGLState* state)
+    : State(state)
+  {
+    glGetIntegerv(GL_BLEND_EQUATION_RGB, &this->Color);
+    glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &this->Alpha);
+  }
+  ~ScopedBlendEquation()
+  {
+    this->State->vtkglBlendEquationSeparate(
+      static_cast<GLenum>(this->Color), static_cast<GLenum>(this->Alpha));
+  }
+  ScopedBlendEquation(const ScopedBlendEquation&) = delete;
+  ScopedBlendEquation& operator=(const ScopedBlendEquation&) = delete;
+
+private:
+  vtkOpenGLState* State;
+  GLint Color = GL_FUNC_ADD;
+  GLint Alpha = GL_FUNC_ADD;
+};
+}
+
 void vtkPointSurfaceMapper::MakeBuffer(
   vtkSurfaceBuffer& surface, const vtkPointSurfaceView& view, bool ids, bool colors)
 {
@@ -879,6 +906,8 @@ void vtkPointSurfaceMapper::MakeBuffer(
     vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
     vtkOpenGLState::ScopedglEnableDisable multisample(state, GL_MULTISAMPLE);
     vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
+    ScopedBlendEquation blendEquation(state);
+    state->vtkglBlendEquation(GL_FUNC_ADD);
     state->vtkglDisable(GL_BLEND);
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglDisable(GL_MULTISAMPLE);

@@ -203,22 +203,20 @@ protected:
   vtkPointSurfaceMapper();
   ~vtkPointSurfaceMapper() override;
 
-  ///@{
   /**
-   * Whether the subclass makes use of the points' normals and radii. What it does not need is
-   * neither estimated nor uploaded, and faults in it are not warned of. Points without normals face
-   * the viewer in ProjectPoints(), and are not culled; without radii the view's radii are 0, and
-   * projected points have the radius 1. Both true by default.
+   * Whether the subclass makes use of the points' normals (see the superclass) and radii. What it
+   * does not need is neither estimated nor uploaded, and faults in it are not warned of. Points
+   * without normals face the viewer in ProjectPoints(), and are not culled; without radii the
+   * view's radii are 0, and projected points have the radius 1. Both true by default.
    */
-  virtual bool NeedsNormals() const { return true; }
   virtual bool NeedsRadii() const { return true; }
-  ///@}
 
   /**
-   * Whether the image that the subclass works on is to reach over the viewport where the cloud
-   * does, as far as discs from outside reach into it. False by default.
+   * How far the image that the subclass works on is to reach over the viewport where the cloud
+   * does, in radii of the points: as far as what is outside has a part in what is inside. 0 by
+   * default.
    */
-  virtual bool NeedsRim() const { return false; }
+  virtual double GetRim() const { return 0.0; }
 
   /**
    * For a subclass that needs no radii but the sampling distance of the cloud, which then is the

@@ -19,14 +19,14 @@ double vtkPointSurfaceView::GetLargestStretch(vtkMatrix4x4* matrix)
   return largest;
 }
 
-/// A rim for discs of a radius in samples. In steps, so that pixels stay the children of the same
+/// A rim of a width in samples. In steps, so that pixels stay the children of the same
 /// coarser ones (of those that matter) while a camera moves, as they would without a rim; not so
 /// many that they would cost more than the viewport itself.
-void vtkPointSurfaceView::AddRim(double radius, int largestSize)
+void vtkPointSurfaceView::AddRim(double width, int largestSize)
 {
   constexpr int Step = 16;
   const int largest = std::max(this->Size[0], this->Size[1]);
-  const double wanted = std::min(radius, 0.125 * largest) / this->Supersampling;
+  const double wanted = std::min(width, 0.125 * largest) / this->Supersampling;
   const int possible = (largestSize - largest) / (2 * this->Supersampling);
   this->Rim = std::max(std::min(Step * static_cast<int>(std::ceil(wanted / Step)), possible), 0);
   for (int k = 0; k < 2; ++k)
@@ -41,7 +41,7 @@ void vtkPointSurfaceView::AddRim(double radius, int largestSize)
 }
 
 void vtkPointSurfaceView::SetExtent(
-  vtkMatrix4x4* modelToEye, const double bounds[6], int largestSize)
+  vtkMatrix4x4* modelToEye, const double bounds[6], double rim, int largestSize)
 {
   double nearest = VTK_DOUBLE_MAX;
   double farthest = -VTK_DOUBLE_MAX;
@@ -84,7 +84,7 @@ void vtkPointSurfaceView::SetExtent(
   if (nearestW <= 1e-6 * (m[15] - m[11] * farthest))
   {
     // some of the cloud is beside or behind the eye: the whole image
-    this->AddRim(this->TypicalRadius, largestSize);
+    this->AddRim(rim * this->TypicalRadius, largestSize);
     this->Rectangle = { 0, 0, this->Size[0], this->Size[1] };
     return;
   }
@@ -107,7 +107,7 @@ void vtkPointSurfaceView::SetExtent(
     std::abs(this->LargestRadius * m[5] / nearestW) * half[1] };
   if (std::min(lower[0], lower[1]) < -1.0 || std::max(upper[0], upper[1]) > 1.0)
   {
-    this->AddRim(std::max(radius[0], radius[1]), largestSize);
+    this->AddRim(rim * std::max(radius[0], radius[1]), largestSize);
   }
   for (int k = 0; k < 2; ++k)
   {

@@ -71,9 +71,10 @@ struct vtkPointSurfaceView
   static double GetLargestStretch(vtkMatrix4x4* matrix);
 
   /// Sets what follows, but for the largest and the mean radius, from the bounds of the cloud in
-  /// model coordinates. All else is set, size and VCDC for the viewport alone: the rim is added to
-  /// them where the cloud goes on outside. An image has `largestSize` samples along a side at most.
-  void SetExtent(vtkMatrix4x4* modelToEye, const double bounds[6], int largestSize);
+  /// model coordinates. All else is set, size and VCDC for the viewport alone: a rim of `rim` of
+  /// the largest radii is added to them where the cloud goes on outside. An image has `largestSize`
+  /// samples along a side at most.
+  void SetExtent(vtkMatrix4x4* modelToEye, const double bounds[6], double rim, int largestSize);
 
   /// The rectangle in pixels of the image: x, y, width, height.
   std::array<int, 4> GetPixelRectangle() const
@@ -115,7 +116,7 @@ struct vtkPointSurfaceView
   }
 
 private:
-  void AddRim(double radius, int largestSize);
+  void AddRim(double width, int largestSize);
 };
 
 #endif

@@ -132,7 +132,7 @@ protected:
     vtkSurfaceTarget& surface) override;
   bool HasJointForm() const override { return true; }
   bool HasCPUForm() const override { return true; }
-  bool NeedsRim() const override { return true; }
+  double GetRim() const override { return 1.0; } // discs
   void MakeSurfacePixels(
     const vtkPointSurfaceView& view, bool ids, bool colors, vtkSurfacePixels& surface) override;
 

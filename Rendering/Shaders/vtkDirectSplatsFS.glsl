@@ -9,6 +9,22 @@ uniform vec2 pixelToCell;
 uniform bool planes;      // splats are discs in their plane, not squares of one depth
 uniform float leastWidth; // of a slanted disc
 uniform bool depthTest; // only splats near the frontmost one count
+uniform int numberOfClippingPlanes;
+uniform vec4 clippingPlanes[6]; // in eye coordinates
+
+// Whether a depth at a place is beyond a plane: there a splat would hide what is behind it.
+bool isClipped(vec2 place, float depth)
+{
+  vec4 eye = vec4(
+    eyeRay.zw + place * eyeRayStep.zw + depth * (eyeRay.xy + place * eyeRayStep.xy), -depth, 1.0);
+  eye.x -= shear * eye.y;
+  bool clipped = false;
+  for (int i = 0; i < numberOfClippingPlanes; ++i)
+  {
+    clipped = clipped || dot(clippingPlanes[i], eye) < 0.0;
+  }
+  return clipped;
+}
 
 struct Splat
 {
@@ -39,7 +55,7 @@ Splat getSplat(ivec2 texel, vec2 place)
   splat.tolerance = max(gamma, radius);
   if (!planes)
   {
-    splat.covers = max(abs(away.x), abs(away.y)) <= 1.0;
+    splat.covers = max(abs(away.x), abs(away.y)) <= 1.0 && !isClipped(place, splat.depth);
     splat.weight = exp(-4.5 * dot(away, away));
     return splat;
   }
@@ -55,6 +71,7 @@ Splat getSplat(ivec2 texel, vec2 place)
   float slope = dot(normal, vec3(direction, -1.0)); // negative for all that faces the viewer
   float rise = dot(normal.xy, (center - place) * raySlope);
   splat.depth += clamp(rise / min(slope, -1e-6), -radius, radius);
+  splat.covers = splat.covers && !isClipped(place, splat.depth);
   return splat;
 }
 
