@@ -4,6 +4,12 @@
 #ifndef PointSurfaceTestMappers_h
 #define PointSurfaceTestMappers_h
 
+#include "vtkAlgebraicSplatMapper.h"
+#include "vtkAlgebraicSplats.h"
+#include "vtkDirectPointMapper.h"
+#include "vtkImageSpacePointMapper.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
 #include "vtkPullPushMapper.h"
 #include "vtkSmartPointer.h"
 #include "vtkSurfaceSplatMapper.h"
@@ -18,22 +24,49 @@ struct MapperClass
 {
   std::string Name;
   std::function<vtkSmartPointer<vtkPointSurfaceMapper>()> Make;
-  bool UsesNormals = true; ///< of the points
-  bool UsesRadii = true;
+  bool UsesNormals = true;     ///< of the points
+  bool UsesRadii = true;       ///< of the points, and estimates them
+  bool FillsSmallGaps = false; ///< of few pixels, as dense clouds have, and no others
+  bool DrawsSplats = false;
+
+  /// What the mapper draws, of a cloud: as many points, in the same order.
+  vtkSmartPointer<vtkPolyData> MakeInput(vtkPolyData* cloud) const
+  {
+    if (!this->DrawsSplats)
+    {
+      return cloud;
+    }
+    vtkNew<vtkAlgebraicSplats> splats;
+    splats->SetInputData(cloud);
+    splats->SetSelectionToAllPoints();
+    splats->SetNumberOfNeighbors(16);
+    splats->SetOrder(2);
+    splats->Update();
+    return splats->GetOutput();
+  }
 };
 
 template <typename Mapper>
-MapperClass MapperClassOf(const std::string& name, bool usesNormals = true, bool usesRadii = true)
+MapperClass MapperClassOf(const std::string& name)
 {
-  return { name, []() { return vtkSmartPointer<Mapper>::New(); }, usesNormals, usesRadii };
+  MapperClass result;
+  result.Name = name;
+  result.Make = []() { return vtkSmartPointer<Mapper>::New(); };
+  return result;
 }
 
 inline std::vector<MapperClass> GetMapperClasses()
 {
-  return {
-    MapperClassOf<vtkPullPushMapper>("vtkPullPushMapper"),
-    MapperClassOf<vtkSurfaceSplatMapper>("vtkSurfaceSplatMapper"),
-  };
+  auto direct = MapperClassOf<vtkDirectPointMapper>("vtkDirectPointMapper");
+  direct.UsesNormals = false;
+  direct.UsesRadii = false;
+  auto splats = MapperClassOf<vtkAlgebraicSplatMapper>("vtkAlgebraicSplatMapper");
+  splats.UsesRadii = false;
+  splats.DrawsSplats = true;
+  auto imageSpace = MapperClassOf<vtkImageSpacePointMapper>("vtkImageSpacePointMapper");
+  imageSpace.FillsSmallGaps = true;
+  return { MapperClassOf<vtkPullPushMapper>("vtkPullPushMapper"), imageSpace, direct, splats,
+    MapperClassOf<vtkSurfaceSplatMapper>("vtkSurfaceSplatMapper") };
 }
 } // namespace PointSurfaceTest
 

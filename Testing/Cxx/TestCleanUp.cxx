@@ -78,13 +78,15 @@ struct Window
   }
 };
 
-void RenderAndDelete(Window& window, const MapperClass& mapperClass, int round)
+void RenderAndDelete(Window& window, const MapperClass& mapperClass, vtkPolyData* input, int round)
 {
   auto mapper = mapperClass.Make();
   mapper->SetBackend(round % 2 == 0 ? vtkPointSurfaceMapper::OpenGL : vtkPointSurfaceMapper::CPU);
   mapper->SetSupersampling(1 + round / 2 % 2);
   mapper->SetRecordPointIds(round % 3 == 0);
-  mapper->SetInputData(MakeSphereCloud(2000));
+  vtkNew<vtkPolyData> cloud;
+  cloud->DeepCopy(input);
+  mapper->SetInputData(cloud);
   vtkNew<vtkPlane> plane;
   mapper->AddClippingPlane(plane);
   vtkNew<vtkActor> actor;
@@ -99,15 +101,16 @@ void TryLoop(const MapperClass& mapperClass)
   std::cout << "---- " << mapperClass.Name << ": rendered and deleted" << std::endl;
   constexpr int Period = 12; // of RenderAndDelete()'s settings
   Window window;
+  auto input = mapperClass.MakeInput(MakeSphereCloud(2000));
   for (int i = 0; i < 3 * Period; ++i)
   {
-    RenderAndDelete(window, mapperClass, i);
+    RenderAndDelete(window, mapperClass, input, i);
   }
   const auto before = CountObjects();
   const long memory = GetResidentMemory();
   for (int i = 0; i < 100; ++i)
   {
-    RenderAndDelete(window, mapperClass, i);
+    RenderAndDelete(window, mapperClass, input, i);
   }
   for (const auto& count : CountObjects())
   {
@@ -126,7 +129,7 @@ void TryError(const MapperClass& mapperClass)
   std::cout << "---- " << mapperClass.Name << ": an error of OpenGL" << std::endl;
   Window window;
   auto mapper = mapperClass.Make();
-  mapper->SetInputData(MakeSphereCloud(2000));
+  mapper->SetInputData(mapperClass.MakeInput(MakeSphereCloud(2000)));
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   window.Renderer->AddActor(actor);

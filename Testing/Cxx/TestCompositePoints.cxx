@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Inputs that are not one polydata: any point set, and trees of them. A tree looks as the one cloud
 // of all its blocks; blocks have a visibility, colour and opacity each, opaque and translucent ones
-// are reconstructed apart; faults are told. With both back ends.
+// are reconstructed apart; faults are told. For every mapper, with both back ends.
 
+#include "PointSurfaceTestMappers.h"
 #include "PointSurfaceTestUtilities.h"
 
 #include "vtkActor.h"
@@ -16,7 +17,6 @@
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkProperty.h"
-#include "vtkPullPushMapper.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkStructuredGrid.h"
@@ -34,21 +34,30 @@ namespace
 Checks check;
 
 constexpr int Size = 240;
-constexpr int PointsOfBall = 8000;
+constexpr int PointsOfBall = 4000;
 
 using Pixel = std::array<int, 3>;
 
+struct Kind
+{
+  const MapperClass& Class;
+  int Backend;
+  vtkSmartPointer<vtkPolyData> Ball; ///< around the origin, as the mapper wants it
+  std::string Name;
+};
+
 struct Scene
 {
-  vtkNew<vtkPullPushMapper> Mapper;
+  vtkSmartPointer<vtkPointSurfaceMapper> Mapper;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkUnsignedCharArray> Pixels;
 
-  Scene(int backend, vtkDataObject* input)
+  Scene(const Kind& kind, vtkDataObject* input)
+    : Mapper(kind.Class.Make())
   {
-    this->Mapper->SetBackend(backend);
+    this->Mapper->SetBackend(kind.Backend);
     this->Mapper->SetInputData(input);
     this->Actor->SetMapper(this->Mapper);
     this->Actor->GetProperty()->SetColor(0.2, 0.4, 1.0);
@@ -103,9 +112,10 @@ vtkSmartPointer<T> GetPart(vtkPolyData* cloud, vtkIdType first, vtkIdType end)
 }
 
 /// A ball around a centre, with its height as scalars.
-vtkSmartPointer<vtkPolyData> MakeBall(double x, double y, double z)
+vtkSmartPointer<vtkPolyData> MakeBall(const Kind& kind, double x, double y, double z)
 {
-  auto ball = MakeSphereCloud(PointsOfBall);
+  auto ball = vtkSmartPointer<vtkPolyData>::New();
+  ball->DeepCopy(kind.Ball);
   vtkNew<vtkFloatArray> height;
   height->SetName("height");
   for (vtkIdType i = 0; i < ball->GetNumberOfPoints(); ++i)
@@ -121,14 +131,14 @@ vtkSmartPointer<vtkPolyData> MakeBall(double x, double y, double z)
 
 /// A tree with groups within groups, an empty child and an empty block: the flat indices of the
 /// balls are 2 (left), 4 (right), 6 (top); 3 is the group of right and top.
-vtkSmartPointer<vtkMultiBlockDataSet> MakeBalls()
+vtkSmartPointer<vtkMultiBlockDataSet> MakeBalls(const Kind& kind)
 {
   vtkNew<vtkMultiBlockDataSet> pair;
-  pair->SetBlock(0, MakeBall(1.5, 0.0, 0.0));
-  pair->SetBlock(2, MakeBall(0.0, 1.7, 0.0));
+  pair->SetBlock(0, MakeBall(kind, 1.5, 0.0, 0.0));
+  pair->SetBlock(2, MakeBall(kind, 0.0, 1.7, 0.0));
   auto tree = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   tree->SetBlock(0, vtkNew<vtkPolyData>());
-  tree->SetBlock(1, MakeBall(-1.5, 0.0, 0.0));
+  tree->SetBlock(1, MakeBall(kind, -1.5, 0.0, 0.0));
   tree->SetBlock(2, pair);
   return tree;
 }
@@ -140,9 +150,10 @@ constexpr unsigned int Top = 6;
 
 //------------------------------------------------------------------------------
 /// The same points in whatever they come make the same picture, in one reconstruction.
-void CheckKindsOfInput(int backend, const std::string& name)
+void CheckKindsOfInput(const Kind& kind)
 {
-  auto cloud = MakeBall(0.3, 0.2, 0.0);
+  const std::string& name = kind.Name;
+  auto cloud = MakeBall(kind, 0.3, 0.2, 0.0);
   const vtkIdType count = cloud->GetNumberOfPoints();
   const vtkIdType parts[4] = { 0, 1000, count / 2, count };
   vtkNew<vtkPartitionedDataSet> partitions;
@@ -162,13 +173,13 @@ void CheckKindsOfInput(int backend, const std::string& name)
 
   for (bool colored : { false, true })
   {
-    Scene truth(backend, cloud);
+    Scene truth(kind, cloud);
     truth.Mapper->SetScalarVisibility(colored);
     const auto expected = truth.Render();
     check(!truth.IsEmpty(0.3, 0.2), name + ": the cloud is drawn");
     auto isAsOneCloud = [&](vtkDataObject* input)
     {
-      Scene scene(backend, input);
+      Scene scene(kind, input);
       scene.Mapper->SetScalarVisibility(colored);
       const std::string what = name + ": " + input->GetClassName();
       check(scene.Render() == expected, what + " looks as the polydata");
@@ -185,12 +196,14 @@ void CheckKindsOfInput(int backend, const std::string& name)
 }
 
 /// Colours of cells of any point set.
-void CheckCellColors(int backend, const std::string& name)
+void CheckCellColors(const Kind& kind)
 {
+  const std::string& name = kind.Name;
   vtkNew<vtkUnstructuredGrid> grid;
-  auto ball = MakeBall(0.0, 0.0, 0.0);
+  auto ball = MakeBall(kind, 0.0, 0.0, 0.0);
   grid->SetPoints(ball->GetPoints());
-  grid->GetPointData()->SetNormals(ball->GetPointData()->GetNormals());
+  grid->GetPointData()->ShallowCopy(ball->GetPointData());
+  grid->GetPointData()->RemoveArray("height");
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(3);
   for (vtkIdType i = 0; i < ball->GetNumberOfPoints(); ++i)
@@ -199,18 +212,18 @@ void CheckCellColors(int backend, const std::string& name)
     colors->InsertNextTuple3(ball->GetPoint(i)[1] > 0.0 ? 255 : 0, 0, 255);
   }
   grid->GetCellData()->SetScalars(colors);
-  Scene scene(backend, grid);
-  scene.Mapper->SetRadius(0.05);
+  Scene scene(kind, grid);
   scene.Render();
   check(scene.At(0.0, 0.4)[0] > 150 && scene.At(0.0, -0.4)[0] == 0,
     name + ": points of a grid have the colours of their cells");
 }
 
-void CheckBlocks(int backend, const std::string& name)
+void CheckBlocks(const Kind& kind)
 {
-  auto tree = MakeBalls();
-  Scene scene(backend, tree);
-  vtkPullPushMapper* mapper = scene.Mapper;
+  const std::string& name = kind.Name;
+  auto tree = MakeBalls(kind);
+  Scene scene(kind, tree);
+  vtkPointSurfaceMapper* mapper = scene.Mapper;
   mapper->ScalarVisibilityOff();
   scene.Render();
   check(!scene.IsEmpty(-1.5, 0.0) && !scene.IsEmpty(1.5, 0.0) && !scene.IsEmpty(0.0, 1.7),
@@ -230,7 +243,11 @@ void CheckBlocks(int backend, const std::string& name)
   check(!mapper->GetBlockVisibility(Pair) && mapper->GetBlockVisibility(Top),
     name + ": visibility is told");
   mapper->SetBlockVisibility(Left, false);
-  check(std::abs(mapper->GetBounds()[2] - 0.7) < 0.01, name + ": bounds are of visible blocks");
+  // patches reach beyond their points
+  const double reach =
+    kind.Class.DrawsSplats ? kind.Ball->GetPointData()->GetArray("radius")->GetRange()[1] : 0.0;
+  check(std::abs(mapper->GetBounds()[2] - (0.7 - reach)) < 0.01,
+    name + ": bounds are of visible blocks");
   mapper->RemoveBlockVisibilities();
   scene.Render();
   check(!scene.IsEmpty(1.5, 0.0), name + ": all are visible again");
@@ -290,14 +307,15 @@ void CheckBlocks(int backend, const std::string& name)
 }
 
 /// A translucent ball before an opaque one: each as it looks alone, one over the other.
-void CheckOpacity(int backend, const std::string& name)
+void CheckOpacity(const Kind& kind)
 {
+  const std::string& name = kind.Name;
   vtkNew<vtkMultiBlockDataSet> tree;
-  tree->SetBlock(0, MakeBall(0.0, 0.0, -3.0));
-  tree->SetBlock(1, MakeBall(0.6, 0.0, 0.0));
-  tree->SetBlock(2, MakeBall(-2.0, 0.0, 0.0));
-  Scene scene(backend, tree);
-  vtkPullPushMapper* mapper = scene.Mapper;
+  tree->SetBlock(0, MakeBall(kind, 0.0, 0.0, -3.0));
+  tree->SetBlock(1, MakeBall(kind, 0.6, 0.0, 0.0));
+  tree->SetBlock(2, MakeBall(kind, -2.0, 0.0, 0.0));
+  Scene scene(kind, tree);
+  vtkPointSurfaceMapper* mapper = scene.Mapper;
   mapper->ScalarVisibilityOff();
   mapper->SetBlockColor(1, 1.0, 0.0, 0.0);
   mapper->SetBlockColor(2, 0.0, 1.0, 0.0);
@@ -336,29 +354,43 @@ void CheckOpacity(int backend, const std::string& name)
     name + ": its other blocks are translucent");
 }
 
-void CheckFaults(int backend, const std::string& name)
+void CheckFaults(const Kind& kind)
 {
+  const std::string& name = kind.Name;
   auto warns = [&](vtkDataObject* input, const std::string& text)
   {
-    Scene scene(backend, input);
+    Scene scene(kind, input);
     Messages messages(scene.Mapper);
     scene.Mapper->ScalarVisibilityOff();
     scene.Render();
     check(messages.Contain(text), name + ": a warning that says: " + text);
     return !scene.IsEmpty(-1.5, 0.0);
   };
-  auto tree = MakeBalls();
+  auto tree = MakeBalls(kind);
   tree->SetBlock(0, vtkNew<vtkImageData>());
   check(warns(tree, "Block 1 is a vtkImageData"), name + ": other blocks are drawn");
-  tree = MakeBalls();
+  tree = MakeBalls(kind);
   vtkPointSet::SafeDownCast(tree->GetBlock(1))->GetPointData()->SetNormals(nullptr);
-  check(warns(tree, "Block 2 has no normals"), name + ": normals are estimated");
-  tree = MakeBalls();
+  if (kind.Class.UsesNormals)
+  {
+    check(warns(tree, "Block 2 has no normals"), name + ": normals are estimated");
+  }
+  else
+  {
+    Scene scene(kind, tree);
+    Messages messages(scene.Mapper);
+    scene.Render();
+    check(messages.GetCount() == 0, name + ": nothing is said of normals that are not needed");
+  }
+  tree = MakeBalls(kind);
   vtkPointSet::SafeDownCast(tree->GetBlock(1))->GetPointData()->RemoveArray("radius");
-  check(warns(tree, "Block 2 has no point array 'radius'"), name + ": radii are estimated");
+  if (kind.Class.UsesRadii)
+  {
+    check(warns(tree, "Block 2 has no point array 'radius'"), name + ": radii are estimated");
+  }
   warns(vtkNew<vtkMultiBlockDataSet>(), "The input has no points");
 
-  Scene scene(backend, tree);
+  Scene scene(kind, tree);
   Messages messages(scene.Mapper);
   scene.Mapper->SetBlockVisibility(17, false);
   check(messages.Contain("no block with the flat index 17"), name + ": no such block");
@@ -367,14 +399,19 @@ void CheckFaults(int backend, const std::string& name)
 
 int TestCompositePoints(int, char*[])
 {
-  for (int backend : { vtkPullPushMapper::OpenGL, vtkPullPushMapper::CPU })
+  for (const MapperClass& mapperClass : GetMapperClasses())
   {
-    const std::string name = backend == vtkPullPushMapper::CPU ? "CPU" : "OpenGL";
-    CheckKindsOfInput(backend, name);
-    CheckCellColors(backend, name);
-    CheckBlocks(backend, name);
-    CheckOpacity(backend, name);
-    CheckFaults(backend, name);
+    auto ball = mapperClass.MakeInput(MakeSphereCloud(PointsOfBall));
+    for (int backend : { vtkPointSurfaceMapper::OpenGL, vtkPointSurfaceMapper::CPU })
+    {
+      const Kind kind = { mapperClass, backend, ball,
+        mapperClass.Name + (backend == vtkPointSurfaceMapper::CPU ? ", CPU" : ", OpenGL") };
+      CheckKindsOfInput(kind);
+      CheckCellColors(kind);
+      CheckBlocks(kind);
+      CheckOpacity(kind);
+      CheckFaults(kind);
+    }
   }
   return check.GetResult();
 }

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tests of a mapper as a guest of VTK share: the mappers, a surface known by formula, scenes, and baselines.
 
-MAPPERS is the one list of mapper classes that have to pass; a new mapper is added here.
+MAPPERS is the one list of mapper classes that have to pass; a new mapper is added here. A mapper that draws something
+else than points has an entry in INPUTS, which makes that of a cloud.
 """
 
 import os
+from typing import NamedTuple
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -13,9 +15,53 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 from vtkmodules.vtkTestingRendering import vtkTesting
 
-from pointsurface import rendering, vtkPullPushMapper, vtkSurfaceSplatMapper
+from pointsurface import (
+    rendering,
+    vtkAlgebraicSplatMapper,
+    vtkAlgebraicSplats,
+    vtkDirectPointMapper,
+    vtkImageSpacePointMapper,
+    vtkPullPushMapper,
+    vtkSurfaceSplatMapper,
+)
 
-MAPPERS = [vtkPullPushMapper, vtkSurfaceSplatMapper]
+MAPPERS = [
+    vtkPullPushMapper,
+    vtkImageSpacePointMapper,
+    vtkDirectPointMapper,
+    vtkAlgebraicSplatMapper,
+    vtkSurfaceSplatMapper,
+]
+
+
+class Accuracy(NamedTuple):
+    """What the picture of a mapper may differ from that of the mesh."""
+
+    factor: float = 1  # on the differences of colours and depths
+    beyond: int = 3  # pixels that it may reach over the mesh's outline
+    missing: int = 1  # pixels that it may stay within
+
+
+ACCURACY = {
+    vtkPullPushMapper: Accuracy(),
+    # a pixel has the normal and the depth of one point beside it; outlines, those of cuts too, are not filled
+    vtkImageSpacePointMapper: Accuracy(factor=2, missing=3),
+    # normals are fitted to what falls around a pixel; a splat is three sampling distances wide
+    vtkDirectPointMapper: Accuracy(factor=1.5, beyond=4, missing=2),
+    # colours are those of a quarter of the points
+    vtkAlgebraicSplatMapper: Accuracy(factor=1.4),
+    vtkSurfaceSplatMapper: Accuracy(),
+}
+BACKENDS = ["OpenGL", "CPU"]
+
+
+def variants(cases):
+    """For pytest: "mapper_class, backend, name" of every case by the first mapper and both back ends. The others share
+    their way to VTK with it and have tests of their own that both back ends make the same buffer: each case once, by one
+    back end and the other in turn."""
+    every = [(MAPPERS[0], backend, name) for name in cases for backend in BACKENDS]
+    once = [(m, BACKENDS[(i + j) % 2], name) for i, name in enumerate(cases) for j, m in enumerate(MAPPERS[1:])]
+    return every + once
 
 BASELINES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Data", "Baseline")
 OUTPUT = os.environ.get("POINTSURFACE_TEST_OUTPUT", ".")
@@ -73,13 +119,31 @@ def torus_mesh(around_ring=400, around_tube=200):
     return mesh
 
 
+def splats(cloud):
+    """Patches fitted to a cloud, small enough to have the colours of their centres."""
+    fit = vtkAlgebraicSplats()
+    fit.SetInputData(cloud)
+    fit.SetNumberOfNeighbors(16)
+    fit.SetOrder(2)
+    fit.Update()
+    return fit.GetOutput()
+
+
+INPUTS = {vtkAlgebraicSplatMapper: splats}
+
+
+def input_of(mapper_class, data):
+    """What a mapper draws, of a cloud or a mesh."""
+    return INPUTS[mapper_class](data) if mapper_class in INPUTS else data
+
+
 class Scene:
     """One surface in a renderer of its own window, looked at from the side."""
 
     def __init__(self, mapper_class, data, size=(200, 200)):
         self.is_mesh = mapper_class is vtkPolyDataMapper
         self.mapper = mapper_class()
-        self.mapper.SetInputData(data)
+        self.mapper.SetInputData(input_of(mapper_class, data))
         self.actor = vtkActor()
         self.actor.SetMapper(self.mapper)
         self.renderer = vtkRenderer()
@@ -89,7 +153,7 @@ class Scene:
         self.camera = self.renderer.GetActiveCamera()
         self.camera.SetPosition(1.2, -3.0, 2.4)
         self.camera.SetViewUp(0, 0, 1)
-        self.renderer.ResetCamera()
+        self.renderer.ResetCamera(data.GetBounds())  # not the mapper's own: those of splats reach farther
         self.camera.Zoom(1.6)
 
     def color(self):
@@ -135,17 +199,18 @@ def grow(mask, pixels):
     return mask
 
 
-def assert_same_surface(cloud, mesh, mean_difference=3.0):
-    """The pictures of a cloud and a mesh show the same surface in the same place, lit alike."""
+def assert_same_surface(cloud, mesh, mean_difference=3.0, further_beyond=0):
+    """The pictures of a cloud and a mesh show the same surface in the same place, lit alike, as accurate as the mapper."""
+    accuracy = ACCURACY[type(cloud.mapper)]
     pictures = cloud.color(), mesh.color()
     masks = cloud.depth() < 1, mesh.depth() < 1
     inside = ~grow(~(masks[0] & masks[1]), 1)
     measured = difference(*pictures, inside)
     print(f"mean difference {measured:.3f} over {np.count_nonzero(inside)} pixels")
     assert np.count_nonzero(inside) > 500
-    assert not np.any(masks[0] & ~grow(masks[1], 3)), "the cloud is where the mesh is not"
-    assert not np.any(masks[1] & ~grow(masks[0], 1)), "the cloud has holes"
-    assert measured < mean_difference
+    assert not np.any(masks[0] & ~grow(masks[1], accuracy.beyond + further_beyond)), "the cloud is where the mesh is not"
+    assert not np.any(masks[1] & ~grow(masks[0], accuracy.missing)), "the cloud has holes"
+    assert measured < mean_difference * accuracy.factor
 
 
 def assert_baseline(window, name, threshold=10):

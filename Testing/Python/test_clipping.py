@@ -3,11 +3,10 @@
 
 import numpy as np
 import pytest
-from scenes import MAPPERS, assert_baseline, assert_same_surface, cloud_and_mesh
+from scenes import BACKENDS, MAPPERS, assert_baseline, assert_same_surface, cloud_and_mesh, variants
 from vtkmodules.vtkCommonDataModel import vtkPlane
 
-BACKENDS = ["OpenGL", "CPU"]
-
+from pointsurface import vtkDirectPointMapper
 
 def plane(origin, normal):
     result = vtkPlane()
@@ -47,7 +46,8 @@ def cut(planes):
 
 
 def assert_cut(cloud, mesh, planes):
-    assert_same_surface(cloud, mesh)
+    # slivers of few points are drawn as of a sparser cloud, with cells four times as large
+    assert_same_surface(cloud, mesh, further_beyond=4 if isinstance(cloud.mapper, vtkDirectPointMapper) else 0)
     points = eye_to_world_points(cloud)
     assert len(points) > 1000
     for p in planes:
@@ -55,9 +55,7 @@ def assert_cut(cloud, mesh, planes):
         assert distance.min() > -2e-3, "the surface reaches over a plane"
 
 
-@pytest.mark.parametrize("backend", BACKENDS)
-@pytest.mark.parametrize("mapper_class", MAPPERS)
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("mapper_class, backend, name", variants(CASES))
 def test_cut_as_the_mesh(mapper_class, backend, name):
     cloud, mesh = cloud_and_mesh(mapper_class, cut(CASES[name]))
     getattr(cloud.mapper, f"SetBackendTo{backend}")()

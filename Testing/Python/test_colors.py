@@ -4,6 +4,7 @@
 import numpy as np
 import pytest
 from scenes import (
+    BACKENDS,
     MAPPERS,
     Scene,
     array,
@@ -13,15 +14,13 @@ from scenes import (
     covered_by_both,
     difference,
     torus_cloud,
+    variants,
 )
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkTexture
-
-BACKENDS = ["OpenGL", "CPU"]
-
 
 def positions(scene):
     return vtk_to_numpy(scene.mapper.GetInput().GetPoints().GetData())
@@ -195,9 +194,7 @@ CASES = {
 SHARP = {"NaN": 6, "beyond the range": 5, "texture": 6, "lookup table": 3.5, "by name": 3.5, "by component": 3.5, "of cells": 4}
 
 
-@pytest.mark.parametrize("backend", BACKENDS)
-@pytest.mark.parametrize("mapper_class", MAPPERS)
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("mapper_class, backend, name", variants(CASES))
 def test_coloured_as_the_mesh(mapper_class, backend, name):
     cloud, mesh = cloud_and_mesh(mapper_class, CASES[name])
     getattr(cloud.mapper, f"SetBackendTo{backend}")()

@@ -3,7 +3,17 @@
 
 import numpy as np
 import pytest
-from scenes import MAPPERS, Scene, array, assert_baseline, assert_same_surface, cloud_and_mesh, difference, torus_cloud
+from scenes import (
+    MAPPERS,
+    Scene,
+    array,
+    assert_baseline,
+    assert_same_surface,
+    cloud_and_mesh,
+    difference,
+    torus_cloud,
+    variants,
+)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkTransform
@@ -131,9 +141,7 @@ CASES = {
 }
 
 
-@pytest.mark.parametrize("backend", ["OpenGL", "CPU"])
-@pytest.mark.parametrize("mapper_class", MAPPERS)
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("mapper_class, backend, name", variants(CASES))
 def test_where_the_mesh_is(mapper_class, backend, name):
     cloud, mesh = cloud_and_mesh(mapper_class, CASES[name])
     getattr(cloud.mapper, f"SetBackendTo{backend}")()
@@ -169,9 +177,7 @@ def test_inside_the_cloud_in_parallel(mapper_class, backend):
     assert_same_surface(cloud, mesh)
 
 
-@pytest.mark.parametrize("backend", ["OpenGL", "CPU"])
-@pytest.mark.parametrize("mapper_class", MAPPERS)
-@pytest.mark.parametrize("scale", [CENTIMETRE, 1.0])
+@pytest.mark.parametrize("mapper_class, backend, scale", variants([CENTIMETRE, 1.0]))
 def test_far_from_the_origin(mapper_class, backend, scale):
     """Coordinates of 1e7 with detail of a centimetre: the picture is that of the cloud at the origin."""
     pictures = []

@@ -3,7 +3,19 @@
 
 import numpy as np
 import pytest
-from scenes import MAPPERS, assert_baseline, cloud_and_mesh, covered_by_both, difference, grow
+from scenes import (
+    ACCURACY,
+    BACKENDS,
+    MAPPERS,
+    assert_baseline,
+    cloud_and_mesh,
+    covered_by_both,
+    difference,
+    grow,
+    torus_cloud,
+    torus_mesh,
+    variants,
+)
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkHardwareSelector, vtkLight, vtkPolyDataMapper
@@ -26,8 +38,7 @@ from vtkmodules.vtkRenderingOpenGL2 import (
     vtkTranslucentPass,
 )
 
-BACKENDS = ["OpenGL", "CPU"]
-
+from pointsurface import vtkImageSpacePointMapper
 
 def post_process(pass_class, **settings):
     def prepare(scene):
@@ -108,15 +119,17 @@ def inner_difference(cloud, mesh):
     return pictures, difference(*pictures, inside if inside.any() else None)
 
 
-@pytest.mark.parametrize("backend", BACKENDS)
-@pytest.mark.parametrize("mapper_class", MAPPERS)
-@pytest.mark.parametrize("name", PASSES)
+@pytest.mark.parametrize("mapper_class, backend, name", variants(PASSES))
 def test_as_the_mesh(mapper_class, backend, name):
-    cloud, mesh = cloud_and_mesh(mapper_class, PASSES[name])
+    # over pixels in such numbers gaps are wider than some fill
+    dense = mapper_class is vtkImageSpacePointMapper and name == "SSAA"
+    cloud, mesh = cloud_and_mesh(mapper_class, PASSES[name], (lambda: torus_cloud(100000 if dense else 20000), torus_mesh))
     getattr(cloud.mapper, f"SetBackendTo{backend}")()
     pictures, measured = inner_difference(cloud, mesh)
     print(f"{name}: {measured:.3f}")
-    assert measured < 4
+    # EDL draws each step of depth; those between points that give a pixel its depth are many
+    steps = mapper_class is vtkImageSpacePointMapper and name == "EDL"
+    assert measured < (24 if steps else 4 * ACCURACY[mapper_class].factor)
     assert pictures[0].std() > 0.1
     if name not in ("steps", "sequence", "FXAA", "FXAA pass", "SSAA"):
         plain = cloud_and_mesh(mapper_class, add_floor if name == "shadows" else lambda s: None)[0].color()
@@ -128,11 +141,12 @@ def test_as_the_mesh(mapper_class, backend, name):
 @pytest.mark.parametrize("mapper_class", MAPPERS)
 def test_shadow_picture(mapper_class):
     cloud, mesh = cloud_and_mesh(mapper_class, shadows)
-    assert difference(cloud.color(), mesh.color()) < 4
+    assert difference(cloud.color(), mesh.color()) < 4 * ACCURACY[mapper_class].factor
     assert_baseline(cloud.window, f"Shadows-{mapper_class.__name__}")
 
 
 PEELING = {"single": vtkDepthPeelingPass, "dual": vtkDualDepthPeelingPass}
+TRANSLUCENT = [(opacity, peeling) for opacity in (0.3, 0.6, 0.9) for peeling in ("none", "renderer's", *PEELING)]
 
 
 def translucent(opacity, peeling, cull=True):
@@ -163,13 +177,11 @@ def translucent(opacity, peeling, cull=True):
     return prepare
 
 
-@pytest.mark.parametrize("backend", BACKENDS)
-@pytest.mark.parametrize("mapper_class", MAPPERS)
-@pytest.mark.parametrize("peeling", ["none", "renderer's", *PEELING])
-@pytest.mark.parametrize("opacity", [0.3, 0.6, 0.9])
-def test_translucent(mapper_class, backend, opacity, peeling):
+@pytest.mark.parametrize("mapper_class, backend, case", variants(TRANSLUCENT))
+def test_translucent(mapper_class, backend, case):
     """A translucent cloud shows its front layer, blended with what is behind: as a mesh without a back, where the mesh
     has one layer only."""
+    opacity, peeling = case
     cloud, mesh = cloud_and_mesh(mapper_class, translucent(opacity, peeling))
     getattr(cloud.mapper, f"SetBackendTo{backend}")()
     pictures = cloud.color(), mesh.color()
@@ -181,7 +193,7 @@ def test_translucent(mapper_class, backend, opacity, peeling):
     inside &= np.indices(inside.shape)[0] < 100
     measured = difference(*pictures, inside)
     print(f"opacity {opacity}, {peeling}: {measured:.3f}")
-    assert measured < 3
+    assert measured < 3 * ACCURACY[mapper_class].factor
     opaque = cloud_and_mesh(mapper_class, translucent(1.0, "none"))[0]
     assert difference(pictures[0], opaque.color(), inside) > 5 * (1 - opacity)
     assert cloud.mapper.GetLastFrameReconstructions() <= 1
