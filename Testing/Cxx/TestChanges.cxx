@@ -183,7 +183,7 @@ void CheckChanges(const MapperClass& mapperClass, int backend, bool faulty)
   cloud->GetPointData()->SetScalars(other);
   scene.Sends(Points * Color, "another array of scalars");
   mapper->ScalarVisibilityOff();
-  scene.Sends(0, "no scalars");
+  scene.Sends(mapperClass.DrawsSplats ? Points : 0, "no scalars"); // splats: those without colours
 
   cloud->GetPoints()->SetPoint(7, 0.9, 0.0, 0.0);
   cloud->GetPoints()->Modified();

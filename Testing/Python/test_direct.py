@@ -68,9 +68,12 @@ def compare(cloud, prepare=lambda mapper: None, size=(300, 300)):
     return metrics.compare(metrics.SurfaceImage(color, normals, depth[..., 0]), expected, 3.2)
 
 
-def cells_along(mapper, length):
-    """How many world units a cell of the image buffer is in a parallel view that is `length` high."""
-    return length / mapper.GetLastFrameImageSize()[1]
+def cells_along(mapper):
+    """How many world units a cell of the image buffer is in a parallel view."""
+    image = vtkImageData()
+    assert mapper.ReadImageBuffer(image, vtkImageData())
+    projection = vtk_to_numpy(image.GetFieldData().GetArray("Projection")).reshape(4, 4)
+    return 2 / projection[1, 1] / mapper.GetLastFrameImageSize()[1]
 
 
 def draw(data, prepare=lambda mapper: None, size=(400, 400), length=1.0, units=1.0):
@@ -102,16 +105,16 @@ def grid(step=0.02, count=40):
 def test_sampling_distance():
     points = grid()
     twins = np.r_[points, points]
-    assert cells_along(draw(positions(twins)), 1) == pytest.approx(0.02, rel=0.02)
+    assert cells_along(draw(positions(twins))) == pytest.approx(0.02, rel=0.02)
     near_pair = np.r_[twins, points[:1] + (0.005, 0, 0)]
-    assert cells_along(draw(positions(near_pair)), 1) == pytest.approx(0.02, rel=0.02)
+    assert cells_along(draw(positions(near_pair))) == pytest.approx(0.02, rel=0.02)
     least = draw(positions(near_pair), lambda m: m.SetSamplingQuantile(0))
-    assert cells_along(least, 1) == pytest.approx(0.005, rel=0.02)
+    assert cells_along(least) == pytest.approx(0.005, rel=0.02)
     given = draw(positions(twins), lambda m: (m.SetRadius(0.05), m.SetRadiusScale(2)))
-    assert cells_along(given, 1) == pytest.approx(0.1, rel=0.05)
+    assert cells_along(given) == pytest.approx(0.1, rel=0.05)
     # half of the points four times as far apart: the upper part of the distances counts
     mixed = np.r_[points, grid(0.08, 40) + (0, 0, 1)]
-    assert cells_along(draw(positions(mixed)), 1) == pytest.approx(0.08, rel=0.05)
+    assert cells_along(draw(positions(mixed))) == pytest.approx(0.08, rel=0.05)
 
 
 def test_nothing_is_estimated_but_the_sampling_distance():
