@@ -185,5 +185,7 @@ def test_picture(mapper_class):
     second.SetBackground(0.3, 0.1, 0.1)
     second.AddActor(scene.actor)
     scene.window.AddRenderer(second)
+    second.GetActiveCamera().SetPosition(0, 0, 8.848)
+    second.GetActiveCamera().SetClippingRange(5, 12)
     scene.color()
     assert_baseline(scene.window, f"Windows-{mapper_class.__name__}")
