@@ -26,11 +26,3 @@ if (POINTSURFACE_WRAP_PYTHON)
     FIXTURES_REQUIRED Installed
     ENVIRONMENT "PYTHONPATH=${install_prefix}/${python_destination}")
 endif ()
-
-if (POINTSURFACE_WRAP_PYTHON AND UNIX)
-  add_test(NAME Wheel COMMAND "${CMAKE_SOURCE_DIR}/Scripts/test-wheel.sh")
-  set_tests_properties(Wheel PROPERTIES
-    SKIP_RETURN_CODE 77
-    TIMEOUT 3000
-    RUN_SERIAL ON) # it builds and tests with all processors
-endif ()
