@@ -120,7 +120,9 @@ def torus_mesh(around_ring=400, around_tube=200):
 
 
 def splats(cloud):
-    """Patches fitted to a cloud, small enough to have the colours of their centres."""
+    """Patches fitted to a cloud, small enough to have the colours of their centres; those that it has, if it has any."""
+    if cloud.GetPointData().HasArray("SplatCoefficients"):
+        return cloud
     fit = vtkAlgebraicSplats()
     fit.SetInputData(cloud)
     fit.SetNumberOfNeighbors(16)
