@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSurfaceRepresentation
+ * @brief   "Point Surface": points drawn as the surface that they stand for, in ParaView
+ *
+ * All that ParaView's surface representation can do (colouring, lighting, opacity, transforms,
+ * back faces, selection, blocks) holds here too: only the mappers are others. Which one is told by
+ * System. Input is any data set or tree of them; of a grid with cells, as of a mesh, the points of
+ * its outer surface are drawn.
+ *
+ * Moving the camera draws the same picture: ParaView's decimation, which is made for meshes, is not
+ * used.
+ *
+ * @sa vtkPointSurfaceMapper
+ */
+#ifndef vtkPointSurfaceRepresentation_h
+#define vtkPointSurfaceRepresentation_h
+
+#include "vtkGeometryRepresentationWithFaces.h"
+#include "vtkNew.h"                               // for vtkNew
+#include "vtkPointSurfaceRepresentationsModule.h" // for export macro
+#include "vtkSmartPointer.h"                      // for vtkSmartPointer
+
+#include <string> // for std::string
+
+class vtkCompositeDataDisplayAttributes;
+class vtkPointSurfaceMapper;
+
+class VTKPOINTSURFACEREPRESENTATIONS_EXPORT vtkPointSurfaceRepresentation
+  : public vtkGeometryRepresentationWithFaces
+{
+public:
+  static vtkPointSurfaceRepresentation* New();
+  vtkTypeMacro(vtkPointSurfaceRepresentation, vtkGeometryRepresentationWithFaces);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The systems that make a surface of points.
+   */
+  enum SystemType
+  {
+    AUTOMATIC,       ///< ALGEBRAIC_SPLATS for what vtkAlgebraicSplats makes, else PULL_PUSH
+    PULL_PUSH,       ///< vtkPullPushMapper
+    IMAGE_SPACE,     ///< vtkImageSpacePointMapper
+    DIRECT,          ///< vtkDirectPointMapper
+    ALGEBRAIC_SPLATS ///< vtkAlgebraicSplatMapper
+  };
+
+  ///@{
+  /**
+   * The system that draws; see SystemType. Default AUTOMATIC.
+   */
+  vtkSetClampMacro(System, int, AUTOMATIC, ALGEBRAIC_SPLATS);
+  vtkGetMacro(System, int);
+  ///@}
+
+  ///@{
+  /**
+   * Draw as the system's paper says, with all departures from it turned off. Default off.
+   */
+  vtkSetMacro(Published, bool);
+  vtkGetMacro(Published, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Properties of vtkPointSurfaceMapper; the array "None", the default, is none.
+   */
+  vtkSetMacro(RadiusArray, std::string);
+  vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetClampMacro(RadiusScale, double, 1e-6, 1e6);
+  vtkSetClampMacro(Supersampling, int, 1, 4);
+  vtkSetClampMacro(Backend, int, 0, 2);
+  ///@}
+
+  ///@{
+  /**
+   * Properties of vtkImageSpacePointMapper. Not used where Published is on.
+   */
+  vtkSetClampMacro(SmoothingIterations, int, 0, 100);
+  vtkSetMacro(AntialiasOutline, bool);
+  ///@}
+
+  /**
+   * A property of vtkDirectPointMapper. Not used where Published is on.
+   */
+  vtkSetClampMacro(DepthTolerance, double, 0.0, 1.0);
+
+  /**
+   * Does nothing: there is no other level of detail.
+   */
+  void SetSuppressLOD(bool) override {}
+
+  void SetArrayIdNames(const char* pointArray, const char* cellArray) override;
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+
+protected:
+  vtkPointSurfaceRepresentation();
+  ~vtkPointSurfaceRepresentation() override;
+
+  int System = AUTOMATIC;
+  bool Published = false;
+  std::string RadiusArray = "None";
+  double Radius = 0.0;
+  double RadiusScale = 1.0;
+  int Supersampling = 1;
+  int Backend = 0;
+  int SmoothingIterations = 1;
+  bool AntialiasOutline = false;
+  double DepthTolerance = 0.0075;
+
+private:
+  vtkPointSurfaceRepresentation(const vtkPointSurfaceRepresentation&) = delete;
+  void operator=(const vtkPointSurfaceRepresentation&) = delete;
+
+  void TellBounds(vtkInformation* inInfo);
+  int ChooseSystem(vtkDataObject* data) const;
+  void UpdateMappers(int system);
+  vtkSmartPointer<vtkPointSurfaceMapper> NewMapper(int system) const;
+  void ReplaceMapper(vtkMapper*& mapper, int system);
+  void SetUpMapper(vtkMapper* mapper) const;
+
+  vtkNew<vtkCompositeDataDisplayAttributes> BlockAttributes;
+  int MapperSystem = AUTOMATIC; // that the mappers are of; none yet
+  bool MapperPublished = false;
+};
+
+#endif

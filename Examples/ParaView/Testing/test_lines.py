@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The render view with lines: those of a cloud are where those of its mesh are."""
+
+import numpy as np
+from paraview import simple
+
+import scene
+
+view = scene.view(kind="PointSurfaceRenderView", LineColor=[1, 0, 0])
+points, mesh = scene.sphere_points(), scene.sphere_mesh()
+
+
+def lines(source, name, system=None):
+    scene.show(source, view, system)
+    levels = scene.picture(view, name)
+    simple.Hide(source, view)
+    return (levels[..., 0] > 200) & (levels[..., 1] < 60)
+
+
+silhouettes = lines(points, "silhouettes", "Pull-Push")
+of_mesh = lines(mesh, "silhouettes-mesh")
+rows, columns = np.nonzero(silhouettes)
+radius = np.hypot(rows - 149.5, columns - 149.5)
+print(silhouettes.sum(), of_mesh.sum(), "pixels of line, at radii", radius.min(), "to", radius.max())
+assert silhouettes.sum() > 700  # the circumference has 750 pixels
+assert abs(radius - 120).max() < 4
+assert abs(silhouettes.sum() / of_mesh.sum() - 1) < 0.15
+view.LineThickness = 6
+assert lines(points, "silhouettes-thick", "Pull-Push").sum() > 2 * silhouettes.sum()
+view.Lines = "None"
+assert lines(points, "no-lines", "Pull-Push").sum() == 0
