@@ -24,7 +24,7 @@ assert "Point Surface" in types, types
 
 # each system
 pictures = {}
-for system in ("Pull-Push", "Image-Space", "Direct"):
+for system in ("Pull-Push", "Image-Space", "Direct", "Surface Splats"):
     pictures[system], _ = draw(points, "system-" + system, system)
     scene.assert_like(pictures[system], truth, system, iou=0.97)  # Direct widens outlines
 pictures["Algebraic Splats"], _ = draw(splats, "system-Algebraic-Splats", "Algebraic Splats")

@@ -5,6 +5,7 @@
 #include "vtkDirectPointMapper.h"
 #include "vtkImageSpacePointMapper.h"
 #include "vtkPullPushMapper.h"
+#include "vtkSurfaceSplatMapper.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCompositeDataDisplayAttributes.h"
@@ -158,6 +159,8 @@ vtkSmartPointer<vtkPointSurfaceMapper> vtkPointSurfaceRepresentation::NewMapper(
       return MakeMapper<vtkDirectPointMapper>(this->Published);
     case ALGEBRAIC_SPLATS:
       return MakeMapper<vtkAlgebraicSplatMapper>(this->Published);
+    case SURFACE_SPLATS: // of no one paper
+      return vtkSmartPointer<vtkSurfaceSplatMapper>::New();
     default:
       return MakeMapper<vtkPullPushMapper>(this->Published);
   }

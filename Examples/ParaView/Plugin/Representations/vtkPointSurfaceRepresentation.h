@@ -39,18 +39,19 @@ public:
    */
   enum SystemType
   {
-    AUTOMATIC,       ///< ALGEBRAIC_SPLATS for what vtkAlgebraicSplats makes, else PULL_PUSH
-    PULL_PUSH,       ///< vtkPullPushMapper
-    IMAGE_SPACE,     ///< vtkImageSpacePointMapper
-    DIRECT,          ///< vtkDirectPointMapper
-    ALGEBRAIC_SPLATS ///< vtkAlgebraicSplatMapper
+    AUTOMATIC,        ///< ALGEBRAIC_SPLATS for what vtkAlgebraicSplats makes, else PULL_PUSH
+    PULL_PUSH,        ///< vtkPullPushMapper
+    IMAGE_SPACE,      ///< vtkImageSpacePointMapper
+    DIRECT,           ///< vtkDirectPointMapper
+    ALGEBRAIC_SPLATS, ///< vtkAlgebraicSplatMapper
+    SURFACE_SPLATS    ///< vtkSurfaceSplatMapper
   };
 
   ///@{
   /**
    * The system that draws; see SystemType. Default AUTOMATIC.
    */
-  vtkSetClampMacro(System, int, AUTOMATIC, ALGEBRAIC_SPLATS);
+  vtkSetClampMacro(System, int, AUTOMATIC, SURFACE_SPLATS);
   vtkGetMacro(System, int);
   ///@}
 
