@@ -287,7 +287,7 @@ def measure_case(case):
 def add_arguments(parser):
     """The benchmark's part of the command line."""
     parser.add_argument("files", nargs="*", help="meshes to measure with beside the generated scenes (with --full)")
-    parser.add_argument("--full", action="store_true", help="all scenes, viewports and densities, for up to 90 minutes")
+    parser.add_argument("--full", action="store_true", help="all scenes, viewports and densities; takes long")
     parser.add_argument(
         "--output", default="pointsurface-bench", metavar="DIR", help="folder of the results; default: %(default)s"
     )
