@@ -10,23 +10,16 @@ vtkPointGaussianMapper is at its fastest: opaque discs, SetTriangleScale(1). PYT
 pointsurface; the models are those of table1.py.
 """
 
-import argparse
-import json
-import os
-import subprocess
-import sys
 import time
 from statistics import median
 
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
+from apart import main, measure_apart
 from pointsurface import vtkSurfaceSplatMapper
-from pointsurface.rendering import offscreen_window, renderer_string, write_whole
+from pointsurface.rendering import offscreen_window, renderer_string
 from pointsurface.sampling import sample_by_area
-
-HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, HERE)
-from table1 import make_mapper, read_model  # noqa: E402
+from table1 import make_mapper, read_model
 
 MODEL = "bunny"
 CASES = ((100_000, 512), (100_000, 1024), (2_000_000, 512), (2_000_000, 1024))
@@ -44,7 +37,7 @@ WARM_UP, FRAMES = 3, 11
 
 
 def measure(name, count, size):
-    """Milliseconds a frame, of the wall and of the process; prints them and the renderer string as JSON."""
+    """Milliseconds a frame, of the wall and of the process, and the renderer string."""
     mesh, model = read_model(MODEL)
     if name.startswith("surface splats"):
         mapper = vtkSurfaceSplatMapper()
@@ -62,7 +55,7 @@ def measure(name, count, size):
     renderer.GetActiveCamera().Zoom(1.4)
     times = [draw_next_frame(window, renderer) for _ in range(WARM_UP + FRAMES)][WARM_UP:]
     wall, process = (median(column) for column in zip(*times))
-    print(json.dumps({"wall": wall, "process": process, "model": model, "renderer": renderer_string(window)}))
+    return {"wall": wall, "process": process, "model": model, "renderer": renderer_string(window)}
 
 
 def draw_next_frame(window, renderer):
@@ -76,18 +69,11 @@ def draw_next_frame(window, renderer):
     return 1e3 * (time.perf_counter() - start[0]), 1e3 * (time.process_time() - start[1])
 
 
-def measure_apart(name, count, size):
-    print(f"{count} points, {size} x {size}: {name}", file=sys.stderr, flush=True)
-    command = [sys.executable, os.path.abspath(__file__), "--measure", name, str(count), str(size)]
-    result = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
-    return json.loads(result.stdout.splitlines()[-1])
-
-
 def make_table(cases=CASES):
     """The table as Markdown; a row for each number of points, viewport and back end."""
     lines = []
     for count, size in cases:
-        results = {name: measure_apart(name, count, size) for name in RENDERERS}
+        results = {name: measure_apart(__file__, name, count, size) for name in RENDERERS}
         gaussian = results["gaussian"]
         for name in RENDERERS[:-1]:
             ours = results[name]
@@ -113,21 +99,5 @@ Back ends alone are those of vtkPullPushMapper.
 """
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    default_output = os.path.join(HERE, "frames.md")
-    parser.add_argument("--output", nargs="?", const=default_output, metavar="FILE", help="write the table to a file")
-    parser.add_argument("--measure", nargs=3, help=argparse.SUPPRESS)
-    arguments = parser.parse_args()
-    if arguments.measure:
-        name, count, size = arguments.measure
-        measure(name, int(count), int(size))
-        return
-    table = make_table()
-    print(table, end="")
-    if arguments.output:
-        write_whole(arguments.output, table.encode())
-
-
 if __name__ == "__main__":
-    main()
+    main(__file__, __doc__, measure, make_table)

@@ -9,12 +9,6 @@ camera moving. PYTHONPATH must lead to the package pointsurface. The models lie 
 in the folder POINTSURFACE_SHARED_DATA; without them a torus takes the place of all.
 """
 
-import argparse
-import json
-import os
-import subprocess
-import sys
-
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -25,9 +19,10 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 from vtkmodules.vtkRenderingOpenGL2 import vtkEDLShading, vtkRenderStepsPass
 
 import errors
+from apart import main, measure_apart
 from pointsurface import styles, vtkImageSpacePointMapper, vtkIsosurfacePoints, vtkPullPushMapper
 from pointsurface.metrics import SurfaceImage, compare
-from pointsurface.rendering import offscreen_window, read_color, renderer_string, write_whole
+from pointsurface.rendering import offscreen_window, read_color, renderer_string
 from pointsurface.sampling import sample_by_area
 from pointsurface.timing import time_frames
 from pointsurface.truth import mend_normals, render_truth
@@ -92,8 +87,8 @@ def make_mapper(renderer_name, cloud):
     return mapper
 
 
-def measure(renderer_name, model, count, size, with_errors):
-    """Prints milliseconds, iterations, errors and the renderer string as JSON."""
+def measure(renderer_name, model, count, size, with_errors=False):
+    """Milliseconds, iterations, errors and the renderer string."""
     cloud, mesh = read_model(model, count)
     mapper = make_mapper(renderer_name, cloud)
     actor = vtkActor()
@@ -110,7 +105,7 @@ def measure(renderer_name, model, count, size, with_errors):
         renderer.ResetCamera(mesh.GetBounds())
     camera.Zoom(1.4)
     result = {}
-    if with_errors == "errors" and renderer_name in MEASURES:
+    if with_errors and renderer_name in MEASURES:
         result = measure_errors(mapper, mesh, actor.GetProperty(), renderer, window, size)
     lines = []
     if renderer_name == "illustrated":
@@ -127,7 +122,7 @@ def measure(renderer_name, model, count, size, with_errors):
     result["renderer"] = renderer_string(window)
     if renderer.GetPass():
         renderer.GetPass().ReleaseGraphicsResources(window)
-    print(json.dumps(result))
+    return result
 
 
 def measure_errors(mapper, mesh, surface_property, renderer, window, size):
@@ -142,16 +137,6 @@ def measure_errors(mapper, mesh, surface_property, renderer, window, size):
     truth = render_truth(mesh, renderer, surface_property, (size, size))
     bounds = np.array(mesh.GetBounds()).reshape(3, 2)
     return compare(SurfaceImage(color, normals, depth[..., 0]), truth, np.linalg.norm(np.ptp(bounds, axis=1)))
-
-
-def measure_apart(renderer_name, model, count, size, with_errors="times"):
-    print(f"{model}, {count} points, {size} x {size}: {renderer_name} ... ", end="", file=sys.stderr, flush=True)
-    arguments = [renderer_name, model, str(count), str(size), with_errors]
-    command = [sys.executable, os.path.abspath(__file__), "--measure", *arguments]
-    result = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
-    measured = json.loads(result.stdout.splitlines()[-1])
-    print(f"{measured['frame']:.1f} ms", file=sys.stderr)
-    return measured
 
 
 def iteration(result, stage, fills):
@@ -207,10 +192,10 @@ def error_rows(cases, columns):
 def make_report():
     cases = [(model, count, size) for model, count in CASES for size in SIZES]
     columns = [
-        {name: measure_apart(name, *case, "errors" if case[2] == SIZES[0] else "times") for name in RENDERERS}
+        {name: measure_apart(__file__, name, *case, case[2] == SIZES[0]) for name in RENDERERS}
         for case in cases
     ]
-    more = [(count, measure_apart("default", "dragon", count, 1024)) for count in MORE_POINTS]
+    more = [(count, measure_apart(__file__, "default", "dragon", count, 1024)) for count in MORE_POINTS]
     head = f"""# Table 3 of the image-space paper, measured
 
 Milliseconds: the median of {FRAMES} frames, camera moving, on {columns[0]["default"]["renderer"]}. Steps are those of
@@ -248,21 +233,5 @@ The dragon at 1024 x 1024. Of these the fastest frame is that of {fastest} point
     )
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    default_output = os.path.join(os.path.dirname(os.path.abspath(__file__)), "imagespace.md")
-    parser.add_argument("--output", nargs="?", const=default_output, metavar="FILE", help="write the report to a file")
-    parser.add_argument("--measure", nargs=5, help=argparse.SUPPRESS)
-    arguments = parser.parse_args()
-    if arguments.measure:
-        renderer_name, model, count, size, with_errors = arguments.measure
-        measure(renderer_name, model, int(count), int(size), with_errors)
-        return
-    report = make_report()
-    print(report, end="")
-    if arguments.output:
-        write_whole(arguments.output, report.encode())
-
-
 if __name__ == "__main__":
-    main()
+    main(__file__, __doc__, measure, make_report)

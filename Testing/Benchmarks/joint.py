@@ -9,11 +9,6 @@ process of its own: the median of some frames after warm-up, with the camera mov
 to the package pointsurface; the models are those of table1.py.
 """
 
-import argparse
-import json
-import os
-import subprocess
-import sys
 from statistics import median
 
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -22,13 +17,13 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass
 
+from apart import main, measure_apart
 from frames import FRAMES, MODEL, WARM_UP, draw_next_frame
 from pointsurface import vtkPointSurfacePass, vtkPullPushMapper
-from pointsurface.rendering import offscreen_window, renderer_string, write_whole
+from pointsurface.rendering import offscreen_window, renderer_string
 from pointsurface.sampling import sample_by_area
 from table1 import read_model
 
-HERE = os.path.dirname(os.path.abspath(__file__))
 CLOUDS = 10
 CASES = ((100_000, 512), (1_000_000, 512))
 BACKENDS = ("CPU", "OpenGL")
@@ -52,7 +47,7 @@ def deal(cloud, first):
 
 
 def measure(row, backend, count, size):
-    """Milliseconds a frame, and how often one reconstructs; prints them and the renderer string as JSON."""
+    """Milliseconds a frame, and how often one reconstructs, and the renderer string."""
     mesh, model = read_model(MODEL)
     cloud = sample_by_area(mesh, count)
     renderer = vtkRenderer()
@@ -75,14 +70,7 @@ def measure(row, backend, count, size):
     times = [draw_next_frame(window, renderer) for _ in range(WARM_UP + FRAMES)][WARM_UP:]
     wall, process = (median(column) for column in zip(*times))
     made = sum(mapper.GetLastFrameReconstructions() for mapper in mappers)
-    print(json.dumps({"wall": wall, "process": process, "made": made, "model": model, "renderer": renderer_string(window)}))
-
-
-def measure_apart(*case):
-    print(*case, file=sys.stderr, flush=True)
-    command = [sys.executable, os.path.abspath(__file__), "--measure", *map(str, case)]
-    result = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
-    return json.loads(result.stdout.splitlines()[-1])
+    return {"wall": wall, "process": process, "made": made, "model": model, "renderer": renderer_string(window)}
 
 
 def make_table():
@@ -90,7 +78,7 @@ def make_table():
     lines = []
     for count, size in CASES:
         for backend in BACKENDS:
-            results = [measure_apart(row, backend, count, size) for row in ROWS]
+            results = [measure_apart(__file__, row, backend, count, size) for row in ROWS]
             cells = [count, f"{size} x {size}", backend, *(result["made"] for result in results)]
             for clock in ("process", "wall"):
                 joint, apart, merged = (result[clock] for result in results)
@@ -112,21 +100,5 @@ apart, without it, which shows holes; merged, the same points in one cloud. Open
 """
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    default_output = os.path.join(HERE, "joint.md")
-    parser.add_argument("--output", nargs="?", const=default_output, metavar="FILE", help="write the table to a file")
-    parser.add_argument("--measure", nargs=4, help=argparse.SUPPRESS)
-    arguments = parser.parse_args()
-    if arguments.measure:
-        row, backend, count, size = arguments.measure
-        measure(row, backend, int(count), int(size))
-        return
-    table = make_table()
-    print(table, end="")
-    if arguments.output:
-        write_whole(arguments.output, table.encode())
-
-
 if __name__ == "__main__":
-    main()
+    main(__file__, __doc__, measure, make_table)

@@ -9,20 +9,17 @@ the camera moving. PYTHONPATH must lead to the package pointsurface. The models 
 or in the folder POINTSURFACE_SHARED_DATA; without them a torus takes the place of all.
 """
 
-import argparse
-import json
 import os
-import subprocess
-import sys
 
 from vtkmodules.vtkCommonComputationalGeometry import vtkParametricTorus
 from vtkmodules.vtkFiltersSources import vtkParametricFunctionSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
+from apart import main, measure_apart
 from pointsurface import vtkPullPushMapper
 from pointsurface.peers import gaussian_discs
-from pointsurface.rendering import offscreen_window, renderer_string, write_whole
+from pointsurface.rendering import offscreen_window, renderer_string
 from pointsurface.sampling import sample_by_area
 from pointsurface.timing import time_frames
 
@@ -68,7 +65,7 @@ def make_mapper(renderer_name, mesh, count):
 
 
 def measure(renderer_name, model, count, size):
-    """Milliseconds a frame; prints them, with the model's name and the renderer string, as JSON."""
+    """Milliseconds a frame; also the model's name and the renderer string."""
     mesh, model = read_model(model)
     mapper = make_mapper(renderer_name, mesh, count)
     actor = vtkActor()
@@ -81,16 +78,7 @@ def measure(renderer_name, model, count, size):
     renderer.GetActiveCamera().Zoom(1.4)
     result = time_frames(window, renderer, mapper=mapper if renderer_name in OURS else None)
     result.update(model=model, triangles=mesh.GetNumberOfPolys(), renderer=renderer_string(window))
-    print(json.dumps(result))
-
-
-def measure_apart(renderer_name, model, count, size):
-    print(f"{model}, {count} points, {size} x {size}: {renderer_name} ... ", end="", file=sys.stderr, flush=True)
-    command = [sys.executable, os.path.abspath(__file__), "--measure", renderer_name, model, str(count), str(size)]
-    result = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
-    measured = json.loads(result.stdout.splitlines()[-1])
-    print(f"{measured['frame']:.1f} ms", file=sys.stderr)
-    return measured
+    return result
 
 
 def make_table(cases=CASES, sizes=SIZES):
@@ -98,7 +86,7 @@ def make_table(cases=CASES, sizes=SIZES):
     lines = []
     for model, count in cases:
         for size in sizes:
-            results = {name: measure_apart(name, model, count, size) for name in RENDERERS}
+            results = {name: measure_apart(__file__, name, model, count, size) for name in RENDERERS}
             ours = [
                 f"{result['frame']:.1f} ({result['project']:.1f}, {result['reconstruct']:.1f})"
                 for result in (results[name] for name in OURS)
@@ -121,21 +109,5 @@ dragon are of the Stanford University Computer Graphics Laboratory.
     return head + "\n".join(lines) + "\n"
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    default_output = os.path.join(os.path.dirname(os.path.abspath(__file__)), "table1.md")
-    parser.add_argument("--output", nargs="?", const=default_output, metavar="FILE", help="write the table to a file")
-    parser.add_argument("--measure", nargs=4, help=argparse.SUPPRESS)
-    arguments = parser.parse_args()
-    if arguments.measure:
-        renderer_name, model, count, size = arguments.measure
-        measure(renderer_name, model, int(count), int(size))
-        return
-    table = make_table()
-    print(table, end="")
-    if arguments.output:
-        write_whole(arguments.output, table.encode())
-
-
 if __name__ == "__main__":
-    main()
+    main(__file__, __doc__, measure, make_table)

@@ -10,6 +10,7 @@ BENCHMARKS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Ben
 
 def test_small_table(monkeypatch, tmp_path):
     monkeypatch.setenv("POINTSURFACE_SHARED_DATA", str(tmp_path))  # no models
+    monkeypatch.syspath_prepend(BENCHMARKS)
     spec = importlib.util.spec_from_file_location("table1", os.path.join(BENCHMARKS, "table1.py"))
     table1 = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(table1)
