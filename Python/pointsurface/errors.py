@@ -11,6 +11,10 @@ class WrongUse(Exception):
     """A file, an array or an option that will not do; its text is one line that says why and what would."""
 
 
+class UnreadableFile(WrongUse):
+    """A file that cannot be opened as a volume or as points; its text is one line that says why."""
+
+
 class CannotRender(Exception):
     """There is no OpenGL, or no display, to draw with; its text is one line that says why and what to do."""
 

@@ -9,30 +9,35 @@ import warnings
 from contextlib import nullcontext
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
-from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
-from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkNIFTIImageReader, vtkNrrdReader
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkImageData, vtkPointSet, vtkPolyData, vtkRectilinearGrid
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+from vtkmodules.vtkIOGeometry import vtkGLTFReader, vtkOBJReader, vtkSTLReader
+from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkMRCReader, vtkNIFTIImageReader, vtkNrrdReader, vtkTIFFReader
+from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
-from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
+from vtkmodules.vtkIOXML import vtkXMLGenericDataObjectReader, vtkXMLImageDataReader, vtkXMLPolyDataReader
 
-from .errors import WrongUse, complaints
+from . import scans
+from .clouds import make_cloud
+from .errors import UnreadableFile, complaints
 from .progress import followed
-
-
-class UnreadableFile(WrongUse):
-    """A file that cannot be opened as a volume or as points; its text is one line that says why."""
 
 
 def read(path, tell=False):
     """The content of a file: vtkImageData for a volume, vtkPolyData for points or a mesh.
 
-    By extension: vti, mhd, mha, nhdr, nrrd, nii, nii.gz (volumes, with one component of active scalars);
-    vtp, ply, obj, stl (points, with normals, colours and polygons if the file has them; an array "radius" is the
-    points' size and never their colour, so it is not left as the active scalars);
+    By extension (upper case, too):
+    volumes, with one component of active scalars: vti, pvti, vtr (evenly spaced), mhd, mha, nhdr, nrrd, nii, nii.gz, mrc,
+    tif, tiff (a picture a slice);
+    points, with normals, colours and polygons if the file has them: vtp, pvtp, ply, obj, stl, gltf, glb; of grids their
+    points: vtu, pvtu, vts, pvts; of trees all blocks' points as one cloud, with the arrays that all have: vtm, vtmb;
+    one or the other: vtk;
+    las, laz, e57: as the module scans tells;
     xyz (text, one point a line: x y z, or x y z nx ny nz, or x y z r g b with colours of 0 to 255; blanks or commas
-    between the numbers; comments start with # or //).
+    between the numbers; comments start with # or //); pts (text; behind a line with their number, one point a line:
+    x y z, x y z intensity, x y z r g b or x y z intensity r g b).
+    An array "radius" is the points' size and never their colour, so it is not left as the active scalars.
     tell: show on standard error how far VTK is, where that takes over a second, and let Ctrl-C stop it.
     Raises UnreadableFile for a file that is missing, broken, empty or of an unknown format.
     """
@@ -44,17 +49,12 @@ def read(path, tell=False):
         raise UnreadableFile(f"{path} may not be read by this user")
 
     extension = _extension(path)
-    if extension == "xyz":
-        cloud = _read_xyz(path)
-        _check_points(path, cloud)
-        return cloud
-    if extension == "stl":
-        _check_stl(path)
-    if extension == "ply":
-        _check_ply(path)
-    if extension in _NEED_TRIAL:
-        _try_reader(_READERS[extension], path)
-    data = _run_reader(_READERS[extension](), path, tell)
+    if extension in _TEXTS:
+        data = _TEXTS[extension](path)
+    elif extension in scans.READERS:
+        data = scans.read(path, extension, tell)
+    else:
+        data = _points_or_volume(path, _read_with_vtk(path, extension, tell))
     if isinstance(data, vtkImageData):
         _check_volume(path, data)
     else:
@@ -70,23 +70,40 @@ _READERS = {
     "nrrd": vtkNrrdReader,
     "nii": vtkNIFTIImageReader,
     "nii.gz": vtkNIFTIImageReader,
+    "mrc": vtkMRCReader,
+    "tif": vtkTIFFReader,
+    "tiff": vtkTIFFReader,
     "vtp": vtkXMLPolyDataReader,
     "ply": vtkPLYReader,
     "obj": vtkOBJReader,
     "stl": vtkSTLReader,
-}
+    "gltf": vtkGLTFReader,
+    "glb": vtkGLTFReader,
+    "vtk": vtkGenericDataObjectReader,
+    **dict.fromkeys(
+        ("vtr", "vtu", "vts", "vtm", "vtmb", "pvti", "pvtp", "pvtu", "pvts"), vtkXMLGenericDataObjectReader
+    ),
+}  # fmt: skip
 
-# On a file cut short these readers crash (PLY), or print a line and go on with a part of the data (MetaImage).
-_NEED_TRIAL = ("ply", "mhd", "mha")
+# On a file cut short these readers crash (PLY, TIFF), or print a line and go on with a part of the data.
+_NEED_TRIAL = ("ply", "mhd", "mha", "tif", "tiff", "vtk")
 
 
 def _extension(path):
     name = os.path.basename(path).lower()
-    for extension in (*_READERS, "xyz"):
+    known = (*_READERS, *_TEXTS, *scans.READERS)
+    for extension in known:
         if name.endswith("." + extension):
             return extension
-    known = ", ".join([*_READERS, "xyz"])
-    raise UnreadableFile(f"{path} has an unknown extension; known are {known}")
+    raise UnreadableFile(f"{path} has an unknown extension; known are {', '.join(known)}")
+
+
+def _read_with_vtk(path, extension, tell):
+    if extension in _CHECKS:
+        _CHECKS[extension](path)
+    if extension in _NEED_TRIAL:
+        _try_reader(_READERS[extension], path)
+    return _run_reader(_READERS[extension](), path, tell)
 
 
 def _run_reader(reader, path, tell):
@@ -97,7 +114,7 @@ def _run_reader(reader, path, tell):
     errors = said("ERROR")
     if errors:
         raise UnreadableFile(f"{path} cannot be read: {reader.GetClassName()} says: {errors[0]}")
-    return reader.GetOutput()
+    return reader.GetOutputDataObject(0)
 
 
 def _try_reader(reader_class, path):
@@ -173,6 +190,75 @@ def _ply_bytes(header):
     return size
 
 
+_MRC_SIZES = {0: 1, 1: 2, 2: 4, 6: 2}  # bytes of a value, by mode
+
+
+def _check_mrc(path):
+    """VTK takes what it finds in memory for the part of a file that is missing."""
+    with open(path, "rb") as file:
+        header = file.read(1024)
+    order = "big" if header[212:213] == b"\x11" else "little"
+    numbers = [int.from_bytes(header[i : i + 4], order, signed=True) for i in (0, 4, 8, 12, 92)]
+    *counts, mode, extension = numbers
+    if len(header) < 1024 or min(*counts, extension + 1) < 1 or mode not in _MRC_SIZES:
+        raise UnreadableFile(f"{path} is no MRC of real numbers: its header makes no sense")
+    needed = 1024 + extension + counts[0] * counts[1] * counts[2] * _MRC_SIZES[mode]
+    if os.path.getsize(path) < needed:
+        raise UnreadableFile(f"{path} is cut short: its header asks for {needed} bytes, not {os.path.getsize(path)}")
+
+
+# What VTK's readers do not notice.
+_CHECKS = {"stl": _check_stl, "ply": _check_ply, "mrc": _check_mrc}
+
+
+def _points_or_volume(path, data):
+    """What a reader of VTK's gave as vtkPolyData or vtkImageData."""
+    if isinstance(data, (vtkImageData, vtkPolyData)):
+        return data
+    if isinstance(data, vtkRectilinearGrid):
+        return _even_volume(path, data)
+    if isinstance(data, vtkPointSet):
+        return _points_of_grid(data)
+    if isinstance(data, vtkCompositeDataSet):
+        return _points_of_blocks(data)
+    raise UnreadableFile(f"{path} holds neither points nor a volume but a {data.GetClassName() if data else 'nothing'}")
+
+
+def _even_volume(path, grid):
+    coordinates = [vtk_to_numpy(getattr(grid, f"Get{axis}Coordinates")()).astype(float) for axis in "XYZ"]
+    steps = [np.diff(values) for values in coordinates]
+    for axis, step in zip("xyz", steps):
+        if step.size and not np.allclose(step, step.mean(), rtol=1e-4, atol=0):
+            raise UnreadableFile(f"{path} is unevenly spaced along {axis}: resample it to a vti first (vtkResampleToImage)")
+    volume = vtkImageData()
+    volume.SetDimensions(grid.GetDimensions())
+    volume.SetOrigin(*(values[0] for values in coordinates))
+    volume.SetSpacing(*(step.mean() if step.size else 1.0 for step in steps))
+    volume.GetPointData().ShallowCopy(grid.GetPointData())
+    return volume
+
+
+def _points_of_grid(grid):
+    cloud = vtkPolyData()
+    cloud.SetPoints(grid.GetPoints())
+    cloud.GetPointData().ShallowCopy(grid.GetPointData())
+    return cloud
+
+
+def _points_of_blocks(tree):
+    append = vtkAppendPolyData()
+    blocks = tree.NewIterator()
+    while not blocks.IsDoneWithTraversal():
+        block = blocks.GetCurrentDataObject()
+        if isinstance(block, vtkPointSet) and block.GetNumberOfPoints() > 0:
+            append.AddInputData(block if isinstance(block, vtkPolyData) else _points_of_grid(block))
+        blocks.GoToNextItem()
+    if append.GetNumberOfInputConnections(0) == 0:
+        return vtkPolyData()
+    append.Update()
+    return append.GetOutput()
+
+
 def _check_volume(path, volume):
     data = volume.GetPointData()
     if data.GetScalars() is None and data.GetNumberOfArrays() > 0:
@@ -201,35 +287,40 @@ def _check_points(path, data):
 
 
 def _read_xyz(path):
+    values = _read_columns(path, (3, 6), "x y z, x y z nx ny nz or x y z r g b")
+    others = values[:, 3:] if values.shape[1] > 3 else None
+    if others is not None and np.nanmax(np.abs(others)) <= 1.001:  # some writers round up
+        return make_cloud(values[:, :3], normals=others)
+    return make_cloud(values[:, :3], colors=others)
+
+
+def _read_pts(path):
+    """By numpy: vtkPTSReader leaves out the last point."""
+    columns = "x y z, x y z intensity, x y z r g b or x y z intensity r g b"
+    values = _read_columns(path, (3, 4, 6, 7), columns, skipped=1)
+    with open(path, encoding="utf-8") as file:
+        first = file.readline().strip()
+    if first != str(len(values)):
+        raise UnreadableFile(f"{path} is no PTS, or cut short: its first line, {first!r}, is not {len(values)}, its points")
+    arrays = {"intensity": values[:, 3]} if values.shape[1] in (4, 7) else {}
+    return make_cloud(values[:, :3], colors=values[:, -3:] if values.shape[1] > 4 else None, arrays=arrays)
+
+
+_TEXTS = {"xyz": _read_xyz, "pts": _read_pts}
+
+
+def _read_columns(path, counts, columns, skipped=0):
+    """The numbers of a text, of as many columns as one of `counts`; of 3 columns and no rows if there are none."""
     try:
         with open(path, encoding="utf-8") as file, warnings.catch_warnings():
-            warnings.simplefilter("ignore", UserWarning)  # of an empty file, which is an error below
+            warnings.simplefilter("ignore", UserWarning)  # of an empty file, which is an error later
             lines = (line.replace(",", " ") for line in file)
-            values = np.loadtxt(lines, comments=("#", "//"), ndmin=2)
+            values = np.loadtxt(lines, comments=("#", "//"), ndmin=2, skiprows=skipped)
     except ValueError as error:  # UnicodeDecodeError among them
         raise UnreadableFile(f"{path} cannot be read as columns of numbers: {error}") from error
-    if values.size > 0 and values.shape[1] not in (3, 6):
-        raise UnreadableFile(
-            f"{path} has {values.shape[1]} columns; x y z, x y z nx ny nz or x y z r g b are needed"
-        )
-    return _points_with_attributes(values) if values.size > 0 else vtkPolyData()
+    if values.size == 0:
+        return np.empty((0, 3))
+    if values.shape[1] not in counts:
+        raise UnreadableFile(f"{path} has {values.shape[1]} columns; {columns} are needed")
+    return values
 
-
-def _points_with_attributes(values):
-    """Points from columns x y z, and three more: normals if all are in -1 to 1, else colours of 0 to 255."""
-    result = vtkPolyData()
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(np.ascontiguousarray(values[:, :3]), deep=True))
-    result.SetPoints(points)
-    attributes = np.ascontiguousarray(values[:, 3:])
-    if attributes.shape[1] == 0:
-        return result
-    if np.nanmax(np.abs(attributes)) <= 1.001:  # some writers round up
-        normals = numpy_to_vtk(attributes.astype(np.float32), deep=True)
-        normals.SetName("Normals")
-        result.GetPointData().SetNormals(normals)
-    else:
-        colors = numpy_to_vtk(np.clip(np.nan_to_num(attributes), 0, 255).astype(np.uint8), deep=True)
-        colors.SetName("RGB")
-        result.GetPointData().SetScalars(colors)
-    return result

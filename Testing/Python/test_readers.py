@@ -1,23 +1,45 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Files of each format, written by VTK's writers or by hand, and files that are no such thing."""
 
+import base64
+import contextlib
 import gzip
+import json
 import os
+import struct
+import sys
+import types
 
 import numpy as np
 import pytest
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import (
+    vtkImageData,
+    vtkMultiBlockDataSet,
+    vtkPolyData,
+    vtkRectilinearGrid,
+    vtkUnstructuredGrid,
+)
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
-from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter
+from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter, vtkTIFFWriter
+from vtkmodules.vtkIOLegacy import vtkPolyDataWriter, vtkStructuredPointsWriter, vtkTableWriter, vtkUnstructuredGridWriter
+from vtkmodules.vtkIOParallelXML import vtkXMLPImageDataWriter, vtkXMLPPolyDataWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
-from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
+from vtkmodules.vtkIOXML import (
+    vtkXMLImageDataWriter,
+    vtkXMLMultiBlockDataWriter,
+    vtkXMLPolyDataWriter,
+    vtkXMLRectilinearGridWriter,
+    vtkXMLUnstructuredGridWriter,
+)
 
+from pointsurface import scans
 from pointsurface.readers import UnreadableFile, read
 
-VOLUMES = ("vti", "mhd", "mha", "nhdr", "nrrd", "nii", "nii.gz")
-MESHES = ("vtp", "ply", "obj", "stl")
+VOLUMES = ("vti", "pvti", "vtr", "vtk", "mhd", "mha", "nhdr", "nrrd", "nii", "nii.gz", "mrc")
+MESHES = ("vtp", "pvtp", "vtk", "ply", "obj", "stl")
 
 
 def ramp():
@@ -51,22 +73,53 @@ def write_nrrd(path, volume):
         file.write(header.encode() + b"\n" + values)
 
 
+def write_mrc(path, volume):
+    """VTK writes no MRC: a header of 1024 bytes, in which lengths are told for the whole, and the values."""
+    header = bytearray(1024)
+    struct.pack_into("<4i", header, 0, 12, 3, 2, 1)  # samples along each axis; 1: values of 16 bits
+    struct.pack_into("<3i3f3f3i", header, 28, 12, 3, 2, 12, 6, 6, 90, 90, 90, 1, 2, 3)
+    header[208:214] = b"MAP DD"
+    with open(path, "wb") as file:
+        file.write(bytes(header) + vtk_to_numpy(volume.GetPointData().GetScalars()).tobytes())
+
+
+def rectilinear(volume, *coordinates):
+    grid = vtkRectilinearGrid()
+    grid.SetDimensions(volume.GetDimensions())
+    for axis, values in zip("XYZ", coordinates):
+        getattr(grid, f"Set{axis}Coordinates")(numpy_to_vtk(np.array(values, float), deep=True))
+    grid.GetPointData().ShallowCopy(volume.GetPointData())
+    return grid
+
+
 def write(path, data):
-    if path.endswith(("nrrd", "nhdr")):
-        write_nrrd(path, data)
+    extension = path.rsplit(".", 1)[1]
+    by_hand = {"nrrd": write_nrrd, "nhdr": write_nrrd, "mrc": write_mrc}
+    if extension in by_hand:
+        by_hand[extension](path, data)
         return
+    if extension == "vtr":
+        data = rectilinear(data, range(12), (0, 2, 4), (0, 3))
+    is_volume = data.IsA("vtkImageData")
     writers = {
         "vti": vtkXMLImageDataWriter,
+        "pvti": vtkXMLPImageDataWriter,
+        "vtr": vtkXMLRectilinearGridWriter,
+        "vtk": vtkStructuredPointsWriter if is_volume else vtkPolyDataWriter,
         "mhd": vtkMetaImageWriter,
         "mha": vtkMetaImageWriter,
         "nii": vtkNIFTIImageWriter,
         "gz": vtkNIFTIImageWriter,
+        "tif": vtkTIFFWriter,
         "vtp": vtkXMLPolyDataWriter,
+        "pvtp": vtkXMLPPolyDataWriter,
         "ply": vtkPLYWriter,
         "obj": vtkOBJWriter,
         "stl": vtkSTLWriter,
+        "vtu": vtkXMLUnstructuredGridWriter,
+        "vtm": vtkXMLMultiBlockDataWriter,
     }
-    writer = writers[path.rsplit(".", 1)[1]]()
+    writer = writers[extension]()
     writer.SetInputData(data)
     writer.SetFileName(path)
     writer.Write()
@@ -95,9 +148,218 @@ def test_meshes(tmp_path, extension):
     assert mesh.GetNumberOfPolys() == 96
     points = vtk_to_numpy(mesh.GetPoints().GetData())
     assert np.linalg.norm(points, axis=1) == pytest.approx(np.full(50, 2.0), rel=1e-5)
-    if extension in ("vtp", "obj"):  # what VTK's writers keep
+    if extension in ("vtp", "pvtp", "vtk", "obj"):  # what VTK's writers keep
         normals = vtk_to_numpy(mesh.GetPointData().GetNormals())
         assert np.allclose(normals, points / 2, atol=1e-5)
+
+
+def tetrahedron():
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(vtkPoints())
+    for point in np.eye(4)[:, :3]:
+        grid.GetPoints().InsertNextPoint(point)
+    heights = numpy_to_vtk(np.arange(4.0), deep=True)
+    heights.SetName("height")
+    grid.GetPointData().AddArray(heights)
+    return grid
+
+
+@pytest.mark.parametrize("name", ["grid.vtu", "grid.vtk"])
+def test_points_of_grids(tmp_path, name):
+    path = str(tmp_path / name)
+    if name.endswith("vtk"):
+        writer = vtkUnstructuredGridWriter()
+        writer.SetInputData(tetrahedron())
+        writer.SetFileName(path)
+        writer.Write()
+    else:
+        write(path, tetrahedron())
+    cloud = read(path)
+    assert cloud.IsA("vtkPolyData")
+    assert np.array_equal(vtk_to_numpy(cloud.GetPoints().GetData()), np.eye(4)[:, :3])
+    assert vtk_to_numpy(cloud.GetPointData().GetArray("height")).tolist() == [0, 1, 2, 3]
+
+
+def test_blocks_are_one_cloud(tmp_path):
+    tree, branch = vtkMultiBlockDataSet(), vtkMultiBlockDataSet()
+    tree.SetBlock(0, tetrahedron())
+    branch.SetBlock(1, sphere())
+    branch.SetBlock(2, vtkPolyData())
+    tree.SetBlock(3, branch)
+    path = str(tmp_path / "tree.vtm")
+    write(path, tree)
+    cloud = read(path)
+    assert cloud.GetNumberOfPoints() == 4 + 50 and cloud.GetNumberOfPolys() == 96
+    bare = vtkMultiBlockDataSet()
+    bare.SetBlock(0, ramp())
+    write(path, bare)
+    check_fault(path, "no points")
+
+
+def test_slices_of_tiff(tmp_path):
+    volume = vtkImageData()
+    volume.SetDimensions(12, 3, 2)
+    volume.GetPointData().SetScalars(numpy_to_vtk(np.arange(72, dtype=np.uint8), deep=True))
+    path = str(tmp_path / "slices.tif")
+    write(path, volume)
+    found = read(path)
+    assert found.GetDimensions() == (12, 3, 2)
+    assert vtk_to_numpy(found.GetPointData().GetScalars()).tolist() == list(range(72))
+
+
+def test_gltf(tmp_path):
+    content = base64.b64encode(np.eye(3, dtype=np.float32).tobytes()).decode()
+    scene = {
+        "asset": {"version": "2.0"},
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0, "translation": [5, 0, 0]}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0] * 3, "max": [1] * 3}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "buffers": [{"byteLength": 36, "uri": f"data:application/octet-stream;base64,{content}"}],
+    }
+    path = tmp_path / "points.gltf"
+    path.write_text(json.dumps(scene))
+    points = vtk_to_numpy(read(str(path)).GetPoints().GetData())
+    assert np.array_equal(points, np.eye(3) + (5, 0, 0))
+
+
+def test_pts(tmp_path):
+    path = tmp_path / "points.pts"
+    path.write_text("2\n1 2 3 -9.5 255 128 0\n4 5 6 7 0 0 1\n")
+    cloud = read(str(path))
+    assert vtk_to_numpy(cloud.GetPoints().GetData()).tolist() == [[1, 2, 3], [4, 5, 6]]
+    assert vtk_to_numpy(cloud.GetPointData().GetScalars()).tolist() == [[255, 128, 0], [0, 0, 1]]
+    assert vtk_to_numpy(cloud.GetPointData().GetArray("intensity")).tolist() == [-9.5, 7]
+    path.write_text("1\n1 2 3\n")
+    assert read(str(path)).GetPointData().GetNumberOfArrays() == 0
+    path.write_text("3\n1 2 3\n4 5 6\n")
+    check_fault(path, "cut short", "'3'")
+
+
+UTM = np.array([[500000.125, 5400000.5, 100], [500001.25, 5400002.75, 101], [500003, 5400004, 102]])
+
+
+@pytest.mark.parametrize("extension", ["las", "laz"])
+def test_las(tmp_path, extension):
+    laspy = pytest.importorskip("laspy", reason="laspy is not installed")
+    header = laspy.LasHeader(point_format=3, version="1.2")
+    header.offsets, header.scales = UTM.min(axis=0), [0.001] * 3
+    las = laspy.LasData(header)
+    las.x, las.y, las.z = UTM.T
+    las.red, las.green, las.blue = np.array([[65535, 0, 0], [0, 32768, 0], [0, 0, 256]]).T
+    las.intensity, las.classification = np.array([7, 8, 9]), np.array([2, 5, 6])
+    path = tmp_path / f"scan.{extension}"
+    las.write(str(path))
+    cloud = read(str(path))
+    assert np.abs(vtk_to_numpy(cloud.GetPoints().GetData()) - UTM).max() < 1e-6
+    data = cloud.GetPointData()
+    assert vtk_to_numpy(data.GetScalars()).tolist() == [[255, 0, 0], [0, 128, 0], [0, 0, 1]]
+    assert vtk_to_numpy(data.GetArray("intensity")).tolist() == [7, 8, 9]
+    assert vtk_to_numpy(data.GetArray("classification")).tolist() == [2, 5, 6]
+    for count in (path.stat().st_size - 20, 100, 5):
+        path.write_bytes(path.read_bytes()[:count])
+        check_fault(path, "cannot be read")
+
+
+def test_e57(tmp_path):
+    pye57 = pytest.importorskip("pye57", reason="pye57 is not installed")
+    path = tmp_path / "scans.e57"
+    file = pye57.E57(str(path), mode="w")
+    near = UTM - UTM[0]  # pye57 writes single precision
+    scan = dict(zip(("cartesianX", "cartesianY", "cartesianZ"), near.T.copy()))
+    colors = dict(zip(("colorRed", "colorGreen", "colorBlue"), np.diag([255, 128, 1]).astype(np.uint8)))
+    file.write_scan_raw({**scan, **colors})
+    file.write_scan_raw({**scan, **colors}, rotation=np.array([1.0, 0, 0, 0]), translation=UTM[0])
+    file.close()
+    cloud = read(str(path))
+    expected = np.concatenate([near, UTM])
+    assert np.abs(vtk_to_numpy(cloud.GetPoints().GetData()) - expected).max() < 1e-6
+    found = vtk_to_numpy(cloud.GetPointData().GetScalars())
+    assert np.array_equal(found, np.tile(np.diag([255, 128, 1]), (2, 1)))
+    path.write_bytes(path.read_bytes()[:3000])
+    check_fault(path, "cannot be read")
+
+
+@pytest.mark.parametrize("name, package", [("a.las", "laspy"), ("a.laz", "laspy"), ("a.e57", "pye57")])
+def test_missing_package_is_named(tmp_path, monkeypatch, name, package):
+    monkeypatch.setitem(sys.modules, package, None)
+    (tmp_path / name).write_bytes(b"whatever")
+    check_fault(tmp_path / name, f"needs the package {package}: pip install")
+
+
+def stub_of_laspy(monkeypatch, told, decompresses=True):
+    """A package that tells of `told` points in a file, and reads three, in two steps."""
+
+    class Chunk(dict):
+        def __len__(self):
+            return len(self["x"])
+
+    columns = {**dict(zip("xyz", UTM.T)), "intensity": np.array([7, 8, 9])}
+    chunks = [Chunk({name: values[part] for name, values in columns.items()}) for part in (slice(2), slice(2, 3))]
+    point_format = types.SimpleNamespace(dimension_names=["X", "Y", "Z", "intensity"])
+    header = types.SimpleNamespace(point_count=told, point_format=point_format)
+    file = types.SimpleNamespace(header=header, chunk_iterator=lambda _: chunks)
+    backend = types.SimpleNamespace(is_available=lambda: decompresses)
+    laspy = types.SimpleNamespace(open=lambda _: contextlib.nullcontext(file), LazBackend=[backend])
+    monkeypatch.setitem(sys.modules, "laspy", laspy)
+
+
+def test_las_by_a_stub(tmp_path, monkeypatch):
+    path = tmp_path / "scan.laz"
+    path.write_bytes(b"")
+    stub_of_laspy(monkeypatch, 3)
+    shares = []
+    cloud = scans.read_las(str(path), shares.append)
+    assert np.array_equal(vtk_to_numpy(cloud.GetPoints().GetData()), UTM)
+    assert vtk_to_numpy(cloud.GetPointData().GetArray("intensity")).tolist() == [7, 8, 9]
+    assert cloud.GetPointData().GetScalars() is None
+    assert shares == [pytest.approx(2 / 3), 1]
+    stub_of_laspy(monkeypatch, 4)
+    check_fault(path, "tells of 4 points, and 3 are there")
+    stub_of_laspy(monkeypatch, 3, decompresses=False)
+    check_fault(path, "compressed", "laspy[lazrs]")
+
+
+def test_e57_by_a_stub(tmp_path, monkeypatch):
+    path = tmp_path / "scan.e57"
+    path.write_bytes(b"")
+    scan = dict(zip(("cartesianX", "cartesianY", "cartesianZ"), UTM.T))
+    parts = [{**scan, "intensity": np.ones(3)}, scan]  # what not all of them have is left out
+    file = types.SimpleNamespace(scan_count=2, read_scan=lambda i, **_: parts[i], close=lambda: None)
+    monkeypatch.setitem(sys.modules, "pye57", types.SimpleNamespace(E57=lambda _: file))
+    cloud = read(str(path))
+    assert np.array_equal(vtk_to_numpy(cloud.GetPoints().GetData()), np.tile(UTM, (2, 1)))
+    assert cloud.GetPointData().GetNumberOfArrays() == 0
+    file.scan_count = 0
+    check_fault(path, "no points")
+
+
+def test_volume_of_uneven_spacing(tmp_path):
+    path = str(tmp_path / "uneven.vtr")
+    writer = vtkXMLRectilinearGridWriter()
+    writer.SetInputData(rectilinear(ramp(), range(12), (0, 2, 5), (0, 3)))
+    writer.SetFileName(path)
+    writer.Write()
+    check_fault(path, "unevenly spaced along y", "vtkResampleToImage")
+
+
+def test_table_is_neither_points_nor_volume(tmp_path):
+    from vtkmodules.vtkCommonDataModel import vtkTable
+
+    path = str(tmp_path / "table.vtk")
+    writer = vtkTableWriter()
+    writer.SetInputData(vtkTable())
+    writer.SetFileName(path)
+    writer.Write()
+    check_fault(path, "neither points nor a volume")
+
+
+@pytest.mark.parametrize("header", [b"", b"\0" * 1024, struct.pack("<4i", 12, 3, 2, 4) + b"\0" * 1100])
+def test_mrc_headers_that_make_no_sense(tmp_path, header):
+    path = tmp_path / "volume.mrc"
+    path.write_bytes(header)
+    check_fault(path, "header makes no sense")
 
 
 def test_ply_with_normals_and_colors(tmp_path):
@@ -158,7 +420,7 @@ def test_wrong_paths(tmp_path):
 
 
 @pytest.mark.parametrize("content", [b"", b"\x00\xff\x13 no such thing \n" * 50], ids=["empty", "garbage"])
-@pytest.mark.parametrize("extension", (*VOLUMES, *MESHES, "xyz"))
+@pytest.mark.parametrize("extension", (*dict.fromkeys(VOLUMES + MESHES), "tif", "gltf", "glb", "vtu", "vtm", "xyz", "pts"))
 def test_broken_files(tmp_path, extension, content, capfd):
     path = tmp_path / f"broken.{extension}"
     path.write_bytes(gzip.compress(content) if extension == "nii.gz" else content)
@@ -166,10 +428,13 @@ def test_broken_files(tmp_path, extension, content, capfd):
     assert capfd.readouterr() == ("", "")
 
 
-@pytest.mark.parametrize("extension", ["vti", "nii", "nrrd", "mha", "vtp", "ply", "stl"])
+@pytest.mark.parametrize("extension", ["vti", "vtr", "nii", "nrrd", "mha", "mrc", "tif", "vtp", "vtk", "ply", "stl"])
 def test_files_cut_short(tmp_path, extension):
     path = tmp_path / f"short.{extension}"
-    write(str(path), ramp() if extension in VOLUMES else sphere())
+    volume = ramp()
+    if extension == "tif":  # takes no signed values
+        volume.GetPointData().SetScalars(numpy_to_vtk(np.arange(72, dtype=np.uint8), deep=True))
+    write(str(path), sphere() if extension in MESHES else volume)
     content = path.read_bytes()
     path.write_bytes(content[: int(len(content) * 0.9)])
     check_fault(path)
