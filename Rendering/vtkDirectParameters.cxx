@@ -3,6 +3,8 @@
 
 #include "vtkEyeRays.h"
 
+#include "vtkMath.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +16,8 @@ double GetPublishedStep(const vtkPointSurfaceView& view)
   const auto& m = view.VCDC;
   const double nearest = m[14] / (m[10] - 1.0);
   const double farthest = m[14] / (m[10] + 1.0);
-  const double lambda = farthest * nearest / (farthest - nearest) * view.CenterDistance + 1.0;
+  const double distance = vtkMath::Norm(view.Center.data());
+  const double lambda = farthest * nearest / (farthest - nearest) * distance + 1.0;
   return view.MeanRadius * m[5] / lambda * view.Size[0];
 }
 

@@ -4,9 +4,11 @@
  * @brief   the clouds of several mappers that are reconstructed as one
  *
  * Mappers add what they would draw (Begin() to End()); the first of them reconstructs all; then
- * each shades the pixels whose ids are of its own points. Clouds that do not fit are drawn by
- * themselves: those of another class of mapper, another back end, supersampling, eye or clipping
- * planes. The widest rim around the viewport that one of them needs is that of all.
+ * each shades the pixels whose ids are of its own points, within the rectangle where these may be;
+ * of clouds that follow each other and look alike the first one shades those of all. Clouds that do
+ * not fit are drawn by themselves: those of another class of mapper, another back end,
+ * supersampling, eye or clipping planes. The widest rim around the viewport that one of them needs
+ * is that of all.
  */
 #ifndef vtkJointSurface_h
 #define vtkJointSurface_h
@@ -18,6 +20,7 @@
 #include <memory>
 #include <vector>
 
+class vtkActor;
 class vtkPointSurfaceMapper;
 struct vtkSurfaceBuffer;
 
@@ -27,11 +30,16 @@ public:
   struct Member
   {
     vtkPointSurfaceMapper* Mapper = nullptr;
+    vtkActor* Actor = nullptr;
     vtkPointSurfaceView View;
     bool HasColors = false;
     std::array<float, 4> Color{}; ///< of a cloud without colours, where it borders on others
     vtkIdType NumberOfPoints = 0;
     vtkIdType FirstId = 0; ///< of its points among those of all members
+    /// Ids, from the first on, whose pixels this member shades; none where an earlier one does it.
+    vtkIdType ShadedIds = 0;
+    std::array<int, 4>
+      ShadedRectangle{}; ///< where they may be; x, y, width, height in the viewport
 
     /// The member's view, over the image, the rectangle and the depths of the joint one.
     vtkPointSurfaceView GetView(const vtkPointSurfaceView& joint) const
@@ -83,6 +91,8 @@ public:
 
 private:
   bool Fits(const Member& member) const;
+  void AssignShading();
+  void SetExtent(vtkPointSurfaceView& joint) const;
 
   bool Collecting = false;
   std::vector<Member> Members;

@@ -101,7 +101,7 @@ public:
   vtkJointSurface* Joint = nullptr;           // that this cloud is a part of, while a pass renders
   std::shared_ptr<SurfaceBuffer> JointBuffer; // of the last frame's joint surface
   std::vector<vtkJointSurface::Member> Projected; // the clouds that ProjectPoints() projects
-  int PointRange[2] = { 0, VTK_INT_MAX };         // ids of this cloud in the current buffer
+  int PointRange[2] = { 0, VTK_INT_MAX };         // ids that are shaded of the current buffer
   unsigned long UseCount = 0;
   std::vector<vtkSurfaceTarget::Layer> ShadedLayers; // that the shading program was made for
   vtkTimeStamp ShadedLayersTime;
@@ -568,6 +568,10 @@ void vtkPointSurfaceMapper::DrawBlocks(
   {
     this->FindOrMakeSurfaceBuffer(renderer, view);
   }
+  if (this->LastFrameRectangle[2] <= 0 || this->LastFrameRectangle[3] <= 0)
+  {
+    return; // another cloud shades this one's points too
+  }
   this->Internals->Timers[Shade].Start();
   FlushQuery();
   this->ShadeSurfaceBuffer(renderer, actor);
@@ -762,6 +766,7 @@ bool vtkPointSurfaceMapper::JoinSurface(vtkActor* actor, const vtkPointSurfaceVi
   }
   vtkJointSurface::Member member;
   member.Mapper = this;
+  member.Actor = actor;
   member.View = view;
   member.HasColors = this->VBOs->GetNumberOfComponents("scalarColor") > 0;
   const double* color = actor->GetProperty()->GetDiffuseColor();
@@ -784,9 +789,10 @@ bool vtkPointSurfaceMapper::FindJointSurface(const vtkPointSurfaceView& view)
     internals.Joint ? internals.Joint->Find(this, view) : nullptr;
   internals.PointRange[0] = member ? static_cast<int>(member->FirstId) : 0;
   internals.PointRange[1] =
-    member ? static_cast<int>(member->FirstId + member->NumberOfPoints) : VTK_INT_MAX;
+    member ? static_cast<int>(member->FirstId + member->ShadedIds) : VTK_INT_MAX;
   if (member)
   {
+    std::copy_n(member->ShadedRectangle.begin(), 4, this->LastFrameRectangle);
     internals.JointBuffer = internals.Joint->GetBuffer();
     internals.Current = internals.JointBuffer.get();
   }
@@ -874,6 +880,7 @@ void vtkPointSurfaceMapper::MakeBuffer(
   const bool resolve = view.Supersampling > 1;
   surface.View = view;
   surface.Valid = true;
+  surface.HasCoverage = resolve || this->MakesCoverage();
   ++this->LastFrameReconstructions;
   if (this->LastFrameBackend == CPU)
   {
@@ -1102,12 +1109,12 @@ void vtkPointSurfaceMapper::SetMapperShaderParameters(
   {
     program->SetUniform2i("psPoints", this->Internals->PointRange);
   }
-  program->SetUniformi("psHasCoverage", view.Supersampling > 1 || this->MakesCoverage());
+  program->SetUniformi("psHasCoverage", this->Internals->Current->HasCoverage);
   const auto pixels = view.GetPixelRectangle();
   const int end[2] = { pixels[0] + pixels[2], pixels[1] + pixels[3] };
   program->SetUniform2i("psBegin", pixels.data());
   program->SetUniform2i("psEnd", end);
-  const auto drawn = view.GetViewportRectangle();
+  const int* drawn = this->LastFrameRectangle;
   float rectangle[4];
   for (int k = 0; k < 2; ++k)
   {

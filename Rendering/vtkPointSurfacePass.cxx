@@ -13,6 +13,7 @@
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,7 @@ class vtkPointSurfacePass::vtkInternals
 public:
   vtkJointSurface Joint;
   vtkNew<vtkOpaquePass> Opaque;
+  bool Warned = false; // of clouds that cannot be joined
 };
 
 vtkStandardNewMacro(vtkPointSurfacePass);
@@ -50,6 +52,7 @@ void vtkPointSurfacePass::Render(const vtkRenderState* state)
     return;
   }
   std::vector<std::pair<vtkActor*, vtkPointSurfaceMapper*>> clouds;
+  int lone = 0;
   for (int i = 0; i < state->GetPropArrayCount(); ++i)
   {
     auto* actor = vtkActor::SafeDownCast(state->GetPropArray()[i]);
@@ -57,8 +60,16 @@ void vtkPointSurfacePass::Render(const vtkRenderState* state)
     if (mapper && actor->HasOpaqueGeometry())
     {
       clouds.emplace_back(actor, mapper);
+      lone += !mapper->HasJointForm();
     }
   }
+  if (lone > 1 && !this->Internals->Warned)
+  {
+    vtkWarningMacro(<< lone << " clouds have a mapper without a joint form (see "
+                    << "vtkPointSurfacePass), so that each is reconstructed by itself. Use another "
+                       "class of mapper to have them joined, or vtkOpaquePass.");
+  }
+  this->Internals->Warned = lone > 1;
 
   vtkJointSurface& joint = this->Internals->Joint;
   joint.Begin();
@@ -73,6 +84,10 @@ void vtkPointSurfacePass::Render(const vtkRenderState* state)
   }
   const auto members = static_cast<int>(joint.GetMembers().size());
   this->LastFrameJointClouds = members > 1 ? members : 0;
+  this->LastFrameShadings = this->LastFrameJointClouds == 0
+    ? 0
+    : static_cast<int>(std::count_if(joint.GetMembers().begin(), joint.GetMembers().end(),
+        [](const vtkJointSurface::Member& member) { return member.ShadedIds > 0; }));
 
   this->Internals->Opaque->Render(state);
   this->NumberOfRenderedProps = this->Internals->Opaque->GetNumberOfRenderedProps();
@@ -86,4 +101,5 @@ void vtkPointSurfacePass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "LastFrameJointClouds: " << this->LastFrameJointClouds << "\n";
+  os << indent << "LastFrameShadings: " << this->LastFrameShadings << "\n";
 }

@@ -12,9 +12,20 @@
  *
  * The clouds are those of actors with a vtkPointSurfaceMapper; the first one's properties say how
  * all are reconstructed. Clouds that do not fit to it are drawn by themselves: those of another
- * class of mapper, or one that has no joint form; of another back end or supersampling; clipped by
- * other planes; with scalars that are mapped by texture, or texture coordinates; and, in parallel
- * projection, clouds that reach behind the camera's position. So are translucent clouds.
+ * class of mapper; of another back end or supersampling; clipped by other planes; with scalars that
+ * are mapped by texture, or texture coordinates; and, in parallel projection, clouds that reach
+ * behind the camera's position. So are translucent clouds.
+ *
+ * vtkAlgebraicSplatMapper has no joint form: a patch is fitted to the points of its own cloud and
+ * reaches over the gaps between them, so that there are none that another cloud could close; its
+ * clouds hide each other as meshes do. A warning tells when there are several.
+ * vtkDirectPointMapper works at one sampling distance for all: the mean of those that the clouds
+ * have or are given (SetRadius). That is the merged cloud's where clouds lie side by side; of
+ * clouds that lie among each other, which are denser together than each one, it is larger.
+ *
+ * Clouds that are added one after the other and look alike (properties of the same values, no
+ * textures, no shader replacements) are shaded at once; others each within the rectangle where
+ * their points may be seen.
  *
  * Selection and hardware picking, which VTK's passes know nothing of, work as without passes.
  *
@@ -43,11 +54,18 @@ public:
    */
   vtkGetMacro(LastFrameJointClouds, int);
 
+  /**
+   * How often a part of the joint surface was shaded in the last frame: once for clouds that look
+   * alike and were added one after the other; 0 when no clouds were joined.
+   */
+  vtkGetMacro(LastFrameShadings, int);
+
 protected:
   vtkPointSurfacePass();
   ~vtkPointSurfacePass() override;
 
   int LastFrameJointClouds = 0;
+  int LastFrameShadings = 0;
 
 private:
   vtkPointSurfacePass(const vtkPointSurfacePass&) = delete;

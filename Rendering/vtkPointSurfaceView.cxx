@@ -61,7 +61,6 @@ void vtkPointSurfaceView::SetExtent(
     nearest = std::min(nearest, -corners[c][2]);
     farthest = std::max(farthest, -corners[c][2]);
   }
-  double center[3];
   this->Diagonal = 0.0;
   for (int c = 0; c < 4; ++c)
   {
@@ -70,9 +69,8 @@ void vtkPointSurfaceView::SetExtent(
   }
   for (int k = 0; k < 3; ++k)
   {
-    center[k] = 0.5 * (corners[0][k] + corners[7][k]);
+    this->Center[k] = 0.5 * (corners[0][k] + corners[7][k]);
   }
-  this->CenterDistance = vtkMath::Norm(center);
   // the linear depth is a float of this range: keep the ends apart
   const double margin = 1e-4 * std::max(farthest - nearest, this->LargestRadius) + 1e-30;
   this->DepthRange = { nearest - margin, farthest + margin };
@@ -86,6 +84,7 @@ void vtkPointSurfaceView::SetExtent(
     // some of the cloud is beside or behind the eye: the whole image
     this->AddRim(rim * this->TypicalRadius, largestSize);
     this->Rectangle = { 0, 0, this->Size[0], this->Size[1] };
+    this->LargestDisc = { 1.0 * this->Size[0], 1.0 * this->Size[1] };
     return;
   }
   double lower[2] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
@@ -103,8 +102,10 @@ void vtkPointSurfaceView::SetExtent(
   }
   // in samples, of the largest disc and of half the viewport
   const double half[2] = { 0.5 * this->Size[0], 0.5 * this->Size[1] };
-  const double radius[2] = { this->LargestRadius * std::hypot(m[0], m[4]) / nearestW * half[0],
+  const std::array<double, 2> radius = { this->LargestRadius * std::hypot(m[0], m[4]) / nearestW *
+      half[0],
     std::abs(this->LargestRadius * m[5] / nearestW) * half[1] };
+  this->LargestDisc = radius;
   if (std::min(lower[0], lower[1]) < -1.0 || std::max(upper[0], upper[1]) > 1.0)
   {
     this->AddRim(rim * std::max(radius[0], radius[1]), largestSize);

@@ -46,14 +46,15 @@ struct vtkPointSurfaceView
   vtkMTimeType MapperTime = 0;
 
   // What follows from the above and the cloud's bounds.
-  int Rim = 0;                        ///< pixels whose points' discs may reach into the viewport
-  std::array<int, 4> Rectangle{};     ///< x, y, width, height in samples: nothing is drawn outside
-  std::array<double, 2> DepthRange{}; ///< eye depth between which all points lie
-  double LargestRadius = 0.0;         ///< in eye units
-  double MeanRadius = 0.0;            ///< in eye units
-  double TypicalRadius = 0.0;         ///< in pixels, amid the cloud
-  double Diagonal = 0.0;              ///< of the cloud's bounding box, in eye units
-  double CenterDistance = 0.0;        ///< from the eye to that box's centre
+  int Rim = 0;                         ///< pixels whose points' discs may reach into the viewport
+  std::array<int, 4> Rectangle{};      ///< x, y, width, height in samples: nothing is drawn outside
+  std::array<double, 2> DepthRange{};  ///< eye depth between which all points lie
+  double LargestRadius = 0.0;          ///< in eye units
+  double MeanRadius = 0.0;             ///< in eye units
+  double TypicalRadius = 0.0;          ///< in pixels, amid the cloud
+  double Diagonal = 0.0;               ///< of the cloud's bounding box, in eye units
+  std::array<double, 3> Center{};      ///< of that box, in eye coordinates
+  std::array<double, 2> LargestDisc{}; ///< half its width and height in samples, nearest to the eye
 
   vtkIdType GetNumberOfPoints() const
   {

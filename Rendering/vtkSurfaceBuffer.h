@@ -14,6 +14,7 @@ struct vtkSurfaceBuffer
   vtkPointSurfaceView View;
   vtkSurfaceTarget Target;
   bool Valid = false;
+  bool HasCoverage = false; ///< the normals' length is the share of the pixel that is covered
   unsigned long LastUse = 0;
 };
 

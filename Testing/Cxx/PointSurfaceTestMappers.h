@@ -28,6 +28,7 @@ struct MapperClass
   bool UsesRadii = true;       ///< of the points, and estimates them
   bool FillsSmallGaps = false; ///< of few pixels, as dense clouds have, and no others
   bool DrawsSplats = false;
+  bool Joins = true; ///< with other clouds in vtkPointSurfacePass
 
   /// What the mapper draws, of a cloud: as many points, in the same order.
   vtkSmartPointer<vtkPolyData> MakeInput(vtkPolyData* cloud) const
@@ -63,6 +64,7 @@ inline std::vector<MapperClass> GetMapperClasses()
   auto splats = MapperClassOf<vtkAlgebraicSplatMapper>("vtkAlgebraicSplatMapper");
   splats.UsesRadii = false;
   splats.DrawsSplats = true;
+  splats.Joins = false;
   auto imageSpace = MapperClassOf<vtkImageSpacePointMapper>("vtkImageSpacePointMapper");
   imageSpace.FillsSmallGaps = true;
   return { MapperClassOf<vtkPullPushMapper>("vtkPullPushMapper"), imageSpace, direct, splats,

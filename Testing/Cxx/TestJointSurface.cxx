@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkPointSurfacePass: the picture of ten clouds is that of one merged cloud, though each of them
-// alone is full of holes, in one reconstruction; each keeps its material, colours and transform;
-// what does not fit is drawn by itself. With both back ends.
+// alone is full of holes, in one reconstruction; each keeps its material, colours and transform,
+// and is shaded where it may be seen, at once with those that look alike; what does not fit is
+// drawn by itself. For every mapper, with both back ends.
 
+#include "PointSurfaceTestMappers.h"
 #include "PointSurfaceTestUtilities.h"
 
 #include "vtkActor.h"
@@ -18,6 +20,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
+#include "vtkTestErrorObserver.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <array>
@@ -38,17 +41,28 @@ constexpr int NumberOfPoints = 8000;
 
 using Picture = std::vector<unsigned char>;
 
+struct Kind
+{
+  MapperClass Class;
+  int Backend;
+  bool Thorough; ///< else the cases alone that a mapper could do otherwise than another
+  std::string Name;
+  /// Of the depth that the direct mapper takes for one surface, a share of the diagonal of all.
+  double MergedDifference = 0.001;
+  double SideBySideDifference = 0.002;
+};
+
 struct Scene
 {
-  std::vector<vtkSmartPointer<vtkPullPushMapper>> Mappers;
+  std::vector<vtkSmartPointer<vtkPointSurfaceMapper>> Mappers;
   std::vector<vtkSmartPointer<vtkActor>> Actors;
   vtkNew<vtkPointSurfacePass> Pass;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;
-  const int Backend;
+  const Kind& TheKind;
 
-  Scene(int backend, bool joint)
-    : Backend(backend)
+  Scene(const Kind& kind, bool joint)
+    : TheKind(kind)
   {
     if (joint)
     {
@@ -65,10 +79,14 @@ struct Scene
     this->Window->AddRenderer(this->Renderer);
   }
 
-  vtkPullPushMapper* Add(vtkDataObject* cloud)
+  vtkPointSurfaceMapper* Add(vtkDataObject* cloud)
   {
-    auto mapper = vtkSmartPointer<vtkPullPushMapper>::New();
-    mapper->SetBackend(this->Backend);
+    auto mapper = this->TheKind.Class.Make();
+    mapper->SetBackend(this->TheKind.Backend);
+    if (!this->TheKind.Class.UsesRadii)
+    {
+      mapper->SetRadius(std::sqrt(4.0 * vtkMath::Pi() / NumberOfPoints)); // of all clouds together
+    }
     mapper->SetInputData(cloud);
     mapper->SetScalarRange(-1.0, 1.0);
     auto actor = vtkSmartPointer<vtkActor>::New();
@@ -164,8 +182,9 @@ double GetDifference(const Picture& a, const Picture& b)
   return 3.0 * different / a.size();
 }
 
-void CompareWithMerged(int backend, const std::string& name)
+void CompareWithMerged(const Kind& kind)
 {
+  const std::string& name = kind.Name;
   const auto ball = MakeBall();
   std::vector<vtkSmartPointer<vtkPolyData>> parts;
   std::vector<double> shifts;
@@ -174,9 +193,9 @@ void CompareWithMerged(int backend, const std::string& name)
     parts.push_back(GetPart(ball, i, NumberOfClouds));
     shifts.push_back(i % 2 == 0 ? 0.0 : 0.4);
   }
-  Scene joint(backend, true);
-  Scene apart(backend, false);
-  Scene merged(backend, false);
+  Scene joint(kind, true);
+  Scene apart(kind, false);
+  Scene merged(kind, false);
   for (int i = 0; i < NumberOfClouds; ++i)
   {
     joint.Add(parts[i]);
@@ -193,11 +212,13 @@ void CompareWithMerged(int backend, const std::string& name)
       change(*scene);
     }
     const Picture truth = merged.Render();
-    check.AtMost(GetDifference(joint.Render(), truth), 0.001,
+    check.AtMost(GetDifference(joint.Render(), truth), kind.MergedDifference,
       name + ", " + what + ": share of pixels that differ from the merged cloud's");
     check(joint.CountReconstructions() == 1, name + ", " + what + ": one reconstruction");
     check(joint.Pass->GetLastFrameJointClouds() == NumberOfClouds,
       name + ", " + what + ": all clouds are joined");
+    check(
+      joint.Pass->GetLastFrameShadings() == 1, name + ", " + what + ": they are shaded at once");
     return GetDifference(apart.Render(), truth);
   };
   const double differenceApart = compare("plain",
@@ -218,31 +239,36 @@ void CompareWithMerged(int backend, const std::string& name)
         mapper->ScalarVisibilityOn();
       }
     });
-  compare("supersampled",
-    [](Scene& scene)
-    {
-      for (auto& mapper : scene.Mappers)
+  if (kind.Thorough)
+  {
+    compare("supersampled",
+      [](Scene& scene)
       {
-        mapper->SetSupersampling(2);
-      }
-    });
-  compare("parallel, culled",
-    [](Scene& scene)
-    {
-      scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
-      scene.Renderer->GetActiveCamera()->SetParallelScale(1.5);
-      for (size_t i = 0; i < scene.Mappers.size(); ++i)
+        for (auto& mapper : scene.Mappers)
+        {
+          mapper->SetSupersampling(2);
+        }
+      });
+    compare("parallel, culled",
+      [](Scene& scene)
       {
-        scene.Mappers[i]->SetSupersampling(1);
-        scene.Actors[i]->GetProperty()->BackfaceCullingOn();
-      }
-    });
+        scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+        scene.Renderer->GetActiveCamera()->SetParallelScale(1.5);
+        for (size_t i = 0; i < scene.Mappers.size(); ++i)
+        {
+          scene.Mappers[i]->SetSupersampling(1);
+          scene.Actors[i]->GetProperty()->BackfaceCullingOn();
+        }
+      });
+  }
 
   joint.Render();
   check(joint.CountReconstructions() == 0, name + ": a still frame reconstructs nothing");
   joint.Actors[3]->GetProperty()->SetSpecular(0.5);
   joint.Render();
   check(joint.CountReconstructions() == 0, name + ": nor does another material");
+  check(joint.Pass->GetLastFrameShadings() == 3,
+    name + ": those before, the one of the other material, those after it");
   joint.Actors[3]->VisibilityOff();
   joint.Render();
   check(joint.CountReconstructions() == 1 &&
@@ -255,8 +281,9 @@ void CompareWithMerged(int backend, const std::string& name)
 
 /// Two halves of a ball in perspective: of the one with large discs a part is outside of the
 /// viewport, so that its image has a rim that the other's has not.
-void CompareRims(int backend, const std::string& name)
+void CompareRims(const Kind& kind)
 {
+  const std::string& name = kind.Name;
   const auto ball = MakeSphereCloud(NumberOfPoints);
   vtkDataArray* radii = ball->GetPointData()->GetArray("radius");
   vtkNew<vtkPoints> points[2];
@@ -273,9 +300,9 @@ void CompareRims(int backend, const std::string& name)
     halves[half]->GetPointData()->CopyData(
       ball->GetPointData(), i, points[half]->InsertNextPoint(ball->GetPoint(i)));
   }
-  Scene joint(backend, true);
-  Scene apart(backend, false);
-  Scene merged(backend, false);
+  Scene joint(kind, true);
+  Scene apart(kind, false);
+  Scene merged(kind, false);
   for (int half = 0; half < 2; ++half)
   {
     halves[half]->SetPoints(points[half]);
@@ -290,17 +317,21 @@ void CompareRims(int backend, const std::string& name)
   }
 
   apart.Render();
-  int rims[2];
-  for (int half = 0; half < 2; ++half)
+  if (vtkPullPushMapper::SafeDownCast(apart.Mappers[0]))
   {
-    vtkNew<vtkImageData> projected;
-    check(apart.Mappers[half]->ReadProjectedBuffer(projected), name + ": a buffer can be read");
-    rims[half] = -projected->GetExtent()[0];
+    int rims[2];
+    for (int half = 0; half < 2; ++half)
+    {
+      vtkNew<vtkImageData> projected;
+      auto* mapper = static_cast<vtkPullPushMapper*>(apart.Mappers[half].Get());
+      check(mapper->ReadProjectedBuffer(projected), name + ": a buffer can be read");
+      rims[half] = -projected->GetExtent()[0];
+    }
+    std::cout << name << ": rims of " << rims[0] << " and " << rims[1] << " pixels" << std::endl;
+    check(rims[0] == 0 && rims[1] > 0, name + ": one cloud alone has a rim");
   }
-  std::cout << name << ": rims of " << rims[0] << " and " << rims[1] << " pixels" << std::endl;
-  check(rims[0] == 0 && rims[1] > 0, name + ": one cloud alone has a rim");
   const Picture truth = merged.Render();
-  check.AtMost(GetDifference(joint.Render(), truth), 0.001,
+  check.AtMost(GetDifference(joint.Render(), truth), kind.MergedDifference,
     name + ", rims: share of pixels that differ from the merged cloud's");
   check(joint.Pass->GetLastFrameJointClouds() == 2, name + ", rims: both are joined");
 }
@@ -313,9 +344,10 @@ std::array<int, 3> At(const Picture& picture, int x, int y)
 
 /// Two halves of a ball of different colours, one of them a tree, with a mesh, a translucent cloud
 /// and one that is mapped by texture beside them.
-void CheckCompany(int backend, const std::string& name)
+void CheckCompany(const Kind& kind)
 {
-  Scene scene(backend, true);
+  const std::string& name = kind.Name;
+  Scene scene(kind, true);
   scene.Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 8.0);
   const auto ball = MakeBall();
   vtkNew<vtkMultiBlockDataSet> tree;
@@ -375,16 +407,97 @@ void CheckCompany(int backend, const std::string& name)
   check(info.Valid && (info.Prop == scene.Actors[0] || info.Prop == scene.Actors[1]),
     name + ": clouds of the pass can be selected");
 }
+
+/// Three balls side by side, each of a material of its own: the picture is that of VTK's own pass,
+/// and each is shaded in its own part of it.
+void CheckRectangles(const Kind& kind)
+{
+  const std::string& name = kind.Name;
+  Scene joint(kind, true);
+  Scene apart(kind, false);
+  for (Scene* scene : { &joint, &apart })
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      scene->Add(MakeSphereCloud(NumberOfPoints))->ScalarVisibilityOff();
+      scene->Actors[i]->SetPosition(2.4 * (i - 1), 0.3 * i, 0.0);
+      scene->Actors[i]->SetScale(0.8);
+      scene->Actors[i]->GetProperty()->SetColor(i == 0, i == 1, i == 2);
+      scene->Mappers[i]->SetRadius(0.05);
+    }
+    scene->Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 14.0);
+  }
+  check.AtMost(GetDifference(joint.Render(), apart.Render()), kind.SideBySideDifference,
+    name + ", side by side: share of pixels that differ from the clouds' by themselves");
+  check(joint.Pass->GetLastFrameShadings() == 3, name + ": each is shaded for itself");
+  for (int i = 0; i < 3; ++i)
+  {
+    const int* rectangle = joint.Mappers[i]->GetLastFrameRectangle();
+    const int* own = apart.Mappers[i]->GetLastFrameRectangle();
+    check(rectangle[2] < own[2] + 24 && rectangle[3] < own[3] + 24,
+      name + ": shaded in the part where it is: " + std::to_string(rectangle[2]) + " of " +
+        std::to_string(own[2]) + " columns");
+  }
+}
+
+/// What has no joint form is drawn by itself, as without the pass, and a warning says so once.
+void CheckLoneClouds(const Kind& kind)
+{
+  const std::string& name = kind.Name;
+  Scene joint(kind, true);
+  Scene apart(kind, false);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  joint.Pass->AddObserver(vtkCommand::WarningEvent, observer);
+  for (Scene* scene : { &joint, &apart })
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      scene->Add(kind.Class.MakeInput(MakeSphereCloud(1000)))->ScalarVisibilityOff();
+      scene->Actors[i]->SetPosition(0.7 * i, 0.0, 0.0);
+    }
+    scene->Renderer->ResetCamera();
+  }
+  check(joint.Render() == apart.Render(), name + ": drawn as without the pass");
+  check(observer->GetWarningMessage().find("2 clouds have a mapper without a joint form") !=
+      std::string::npos,
+    name + ": a warning says so: " + observer->GetWarningMessage());
+  observer->Clear();
+  joint.Render();
+  check(!observer->GetWarning(), name + ": once");
+}
 }
 
 int TestJointSurface(int, char*[])
 {
-  for (int backend : { vtkPullPushMapper::OpenGL, vtkPullPushMapper::CPU })
+  int count = 0;
+  for (const MapperClass& mapperClass : GetMapperClasses())
   {
-    const std::string name = backend == vtkPullPushMapper::CPU ? "CPU" : "OpenGL";
-    CompareWithMerged(backend, name);
-    CompareRims(backend, name);
-    CheckCompany(backend, name);
+    // both back ends of the first mapper; the others share their way to a joint surface with it
+    const bool first = count == 0;
+    for (int backend : { vtkPointSurfaceMapper::OpenGL, vtkPointSurfaceMapper::CPU })
+    {
+      if (!first && (backend == vtkPointSurfaceMapper::CPU) != (count % 2 == 0))
+      {
+        continue;
+      }
+      Kind kind = { mapperClass, backend, first,
+        mapperClass.Name + (backend == vtkPointSurfaceMapper::CPU ? ", CPU" : ", OpenGL") };
+      if (!mapperClass.UsesRadii)
+      {
+        kind.MergedDifference = 0.01;
+        kind.SideBySideDifference = 0.05;
+      }
+      if (!mapperClass.Joins)
+      {
+        CheckLoneClouds(kind);
+        continue;
+      }
+      CompareWithMerged(kind);
+      CompareRims(kind);
+      CheckCompany(kind);
+      CheckRectangles(kind);
+    }
+    ++count;
   }
   return check.GetResult();
 }
