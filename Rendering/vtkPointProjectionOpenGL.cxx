@@ -97,7 +97,12 @@ void vtkPointProjectionOpenGL::Draw(vtkOpenGLRenderWindow* window, const std::ve
     this->DrawFirst(window, clouds, options, target, nearest);
     return;
   }
-  this->Nearest.Allocate(window, target.GetWidth(), target.GetHeight(), target.GetLayers(), true);
+  std::vector<vtkSurfaceTarget::Layer> layers = target.GetLayers();
+  if (!target.Has(vtkSurfaceTarget::Id))
+  {
+    layers.push_back(vtkSurfaceTarget::Id); // which tells a pixel's nearest point from the others
+  }
+  this->Nearest.Allocate(window, target.GetWidth(), target.GetHeight(), layers, true);
   this->DrawFirst(window, clouds, options, this->Nearest, nearest);
   this->DrawSums(window, clouds, options);
   this->Average(window, r, options, target);
@@ -120,12 +125,12 @@ void vtkPointProjectionOpenGL::DrawFirst(vtkOpenGLRenderWindow* window,
   }
   const std::string shader =
     vtkSurfaceTarget::GetOutputDeclarations(target.GetLayers()) + vtkPointProjectionFS;
+  const char* drawn = nearest ? "ONLY_FARTHEST" : "ALL_POINTS";
   for (const Cloud& cloud : clouds)
   {
     Pass& pass = cloud.Projection->FirstPass;
-    if (vtkShaderProgram* program = ReadyProgram(window, pass, shader, cloud, options))
+    if (vtkShaderProgram* program = ReadyProgram(window, pass, drawn, shader, cloud, options))
     {
-      program->SetUniformi("onlyFarthest", nearest != nullptr);
       if (nearest)
       {
         nearest->SetSamplers(program, "nearest");
@@ -163,10 +168,10 @@ void vtkPointProjectionOpenGL::DrawSums(vtkOpenGLRenderWindow* window,
   for (const Cloud& cloud : clouds)
   {
     Pass& pass = cloud.Projection->SumPass;
-    if (vtkShaderProgram* program = ReadyProgram(window, pass, shader, cloud, options))
+    if (vtkShaderProgram* program =
+          ReadyProgram(window, pass, "ONLY_COMPANIONS", shader, cloud, options))
     {
       this->Nearest.SetSamplers(program, "nearest");
-      program->SetUniformi("onlyFarthest", 0);
       program->SetUniformi("twoSided", cloud.View.Cull == vtkPointSurfaceView::NoCulling);
       cloud.Projection->DrawRanges(pass, cloud.View);
     }
@@ -205,9 +210,11 @@ void vtkPointProjectionOpenGL::Average(vtkOpenGLRenderWindow* window,
 
 //------------------------------------------------------------------------------
 vtkShaderProgram* vtkPointProjectionOpenGL::ReadyProgram(vtkOpenGLRenderWindow* window, Pass& pass,
-  const std::string& fragmentShader, const Cloud& cloud, const vtkPointProjectionOptions& options)
+  const std::string& drawn, const std::string& fragmentShader, const Cloud& cloud,
+  const vtkPointProjectionOptions& options)
 {
-  const Shaders shaders = { vtkPointProjectionVS, "", "//VTK::System::Dec\n" + fragmentShader };
+  const Shaders shaders = { "#define " + drawn + "\n" + vtkPointProjectionVS, "",
+    "//VTK::System::Dec\n" + fragmentShader };
   vtkShaderProgram* program = ReadyShaders(window, pass, shaders, cloud);
   if (program)
   {

@@ -113,7 +113,7 @@ private:
   void Average(vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle,
     const vtkPointProjectionOptions& options, vtkSurfaceTarget& target);
   static vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window, Pass& pass,
-    const std::string& fragmentShader, const Cloud& cloud,
+    const std::string& drawn, const std::string& fragmentShader, const Cloud& cloud,
     const vtkPointProjectionOptions& options);
   static vtkShaderProgram* ReadyShaders(
     vtkOpenGLRenderWindow* window, Pass& pass, const Shaders& shaders, const Cloud& cloud);

@@ -2,19 +2,24 @@
 #include "vtkPullPushReconstructionOpenGL.h"
 
 #include "vtkFillFS.h"
+#include "vtkPointSurfaceCompat.h"
 #include "vtkPullFS.h"
 #include "vtkPullPushCommon.h"
 #include "vtkPullPushParameters.h"
 #include "vtkPushFS.h"
 #include "vtkScreenPass.h"
+#include "vtkTileVS.h"
 
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
 
 namespace
 {
+constexpr int TileSize = 16; // pixels along a side
+
 void SetBounds(
   vtkShaderProgram* program, const std::string& prefix, const std::array<int, 4>& rectangle)
 {
@@ -28,8 +33,21 @@ void SetCommonUniforms(vtkShaderProgram* program, const vtkPullPushParameters& p
   program->SetUniform4f("eyeRay", parameters.EyeRay.data());
   program->SetUniform4f("eyeRayStep", parameters.EyeRayStep.data());
   program->SetUniformf("shear", parameters.Shear);
-  program->SetUniformi("twoSided", parameters.TwoSided);
-  program->SetUniformi("centerDepths", parameters.Options.PerspectiveDiscs);
+}
+
+/// What is the same for all pixels, as GLSL: a rasteriser in software runs both sides of a choice
+/// between uniforms.
+std::string GetConstants(const vtkPullPushParameters& parameters)
+{
+  std::string text;
+  auto add = [&text](const char* name, bool value)
+  { text += std::string("const bool ") + name + (value ? " = true;\n" : " = false;\n"); };
+  add("centerDepths", parameters.Options.PerspectiveDiscs);
+  add("twoSided", parameters.TwoSided);
+  add("distanceWeights", parameters.Options.DistanceWeights);
+  add("depthTest", parameters.Options.DepthTestInPush);
+  add("clips", parameters.NumberOfClippingPlanes > 0);
+  return text;
 }
 }
 
@@ -65,7 +83,8 @@ void vtkPullPushReconstructionOpenGL::Run(vtkOpenGLRenderWindow* window,
   }
   if (fill)
   {
-    this->Fill(window, parameters, this->Unfilled, surface);
+    this->Fill(
+      window, parameters, this->Unfilled, coarsest > 1 ? *this->Pushed[0] : pulled(1), surface);
   }
 }
 
@@ -94,7 +113,7 @@ void vtkPullPushReconstructionOpenGL::Pull(vtkOpenGLRenderWindow* window,
   const vtkPullPushParameters& parameters, vtkSurfaceTarget& fine, int level)
 {
   vtkSurfaceTarget& coarse = *this->Pulled[level - 1];
-  vtkScreenPass& pass = this->GetPass(PullPass, fine.GetLayers(), coarse.GetLayers());
+  vtkScreenPass& pass = this->GetPass(parameters, PullPass, fine.GetLayers(), coarse.GetLayers());
   vtkShaderProgram* program = pass.Ready(window);
   if (!program)
   {
@@ -115,7 +134,7 @@ void vtkPullPushReconstructionOpenGL::Push(vtkOpenGLRenderWindow* window,
   const vtkPullPushParameters& parameters, vtkSurfaceTarget& fine, vtkSurfaceTarget& coarse,
   vtkSurfaceTarget& result, int level)
 {
-  vtkScreenPass& pass = this->GetPass(PushPass, fine.GetLayers(), result.GetLayers());
+  vtkScreenPass& pass = this->GetPass(parameters, PushPass, fine.GetLayers(), result.GetLayers());
   vtkShaderProgram* program = pass.Ready(window);
   if (!program)
   {
@@ -128,8 +147,6 @@ void vtkPullPushReconstructionOpenGL::Push(vtkOpenGLRenderWindow* window,
   SetBounds(program, "coarse", parameters.Levels[level + 1].Rectangle);
   program->SetUniformf("fineSize", static_cast<float>(1 << level));
   SetCommonUniforms(program, parameters);
-  program->SetUniformi("distanceWeights", parameters.Options.DistanceWeights);
-  program->SetUniformi("depthTest", parameters.Options.DepthTestInPush);
   program->SetUniformi("numberOfClippingPlanes", parameters.NumberOfClippingPlanes);
   float planes[6][4];
   for (int i = 0; i < 6; ++i)
@@ -138,15 +155,17 @@ void vtkPullPushReconstructionOpenGL::Push(vtkOpenGLRenderWindow* window,
   }
   program->SetUniform4fv("clippingPlanes", 6, planes);
   result.BindForWriting(window);
-  this->DrawLevel(window, parameters, pass, level);
+  this->DrawTiles(window, parameters, pass, program, result, coarse, level, 1);
   coarse.Deactivate();
   fine.Deactivate();
 }
 
 void vtkPullPushReconstructionOpenGL::Fill(vtkOpenGLRenderWindow* window,
-  const vtkPullPushParameters& parameters, vtkSurfaceTarget& unfilled, vtkSurfaceTarget& result)
+  const vtkPullPushParameters& parameters, vtkSurfaceTarget& unfilled, vtkSurfaceTarget& coarse,
+  vtkSurfaceTarget& result)
 {
-  vtkScreenPass& pass = this->GetPass(FillPass, unfilled.GetLayers(), result.GetLayers());
+  vtkScreenPass& pass =
+    this->GetPass(parameters, FillPass, unfilled.GetLayers(), result.GetLayers());
   vtkShaderProgram* program = pass.Ready(window);
   if (!program)
   {
@@ -159,7 +178,9 @@ void vtkPullPushReconstructionOpenGL::Fill(vtkOpenGLRenderWindow* window,
   program->SetUniformf("depthStep", parameters.DepthStep);
   SetCommonUniforms(program, parameters);
   result.BindForWriting(window);
-  this->DrawLevel(window, parameters, pass, 0);
+  coarse.Activate();
+  this->DrawTiles(window, parameters, pass, program, result, coarse, 0, 2);
+  coarse.Deactivate();
   unfilled.Deactivate();
 }
 
@@ -171,15 +192,42 @@ void vtkPullPushReconstructionOpenGL::DrawLevel(vtkOpenGLRenderWindow* window,
   ++this->Passes;
 }
 
+void vtkPullPushReconstructionOpenGL::DrawTiles(vtkOpenGLRenderWindow* window,
+  const vtkPullPushParameters& parameters, vtkScreenPass& pass, vtkShaderProgram* program,
+  vtkSurfaceTarget& result, vtkSurfaceTarget& coarse, int level, int margin)
+{
+  const auto& r = parameters.Levels[level].Rectangle;
+  const int first[2] = { r[0] / TileSize, r[1] / TileSize };
+  const int columns = (r[2] + TileSize - 1) / TileSize - first[0];
+  const int rows = (r[3] + TileSize - 1) / TileSize - first[1];
+  const float size[2] = { static_cast<float>(result.GetWidth()),
+    static_cast<float>(result.GetHeight()) };
+  coarse.SetSamplers(program, "cover");
+  SetBounds(program, "cover", parameters.Levels[level + 1].Rectangle);
+  program->SetUniformi("coverMargin", margin);
+  program->SetUniformi("tileSize", TileSize);
+  program->SetUniform2i("firstTile", first);
+  program->SetUniformi("tileColumns", columns);
+  program->SetUniform2f("targetSize", size);
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(r[0], r[1], r[2] - r[0], r[3] - r[1]);
+  result.Clear();
+  pass.DrawPoints(window, r[0], r[1], r[2] - r[0], r[3] - r[1], columns * rows, TileSize);
+  ++this->Passes;
+}
+
 //------------------------------------------------------------------------------
 vtkScreenPass& vtkPullPushReconstructionOpenGL::GetPass(
-  Kind kind, const Layers& input, const Layers& output)
+  const vtkPullPushParameters& parameters, Kind kind, const Layers& input, const Layers& output)
 {
-  std::unique_ptr<vtkScreenPass>& pass = this->Programs[kind][{ input, output }];
+  const std::string constants = GetConstants(parameters);
+  std::unique_ptr<vtkScreenPass>& pass =
+    this->Programs[kind][std::make_tuple(constants, input, output)];
   if (!pass)
   {
-    std::string text =
-      "//VTK::System::Dec\n" + vtkSurfaceTarget::GetOutputDeclarations(output) + vtkPullPushCommon;
+    std::string text = "//VTK::System::Dec\n" + vtkSurfaceTarget::GetOutputDeclarations(output) +
+      constants + vtkPullPushCommon;
     switch (kind)
     {
       case PullPass:
@@ -192,7 +240,7 @@ vtkScreenPass& vtkPullPushReconstructionOpenGL::GetPass(
       default:
         text += vtkSurfaceTarget::GetInputDeclarations(input, "in") + vtkFillFS;
     }
-    pass.reset(new vtkScreenPass(text));
+    pass.reset(new vtkScreenPass(text, kind == PullPass ? "" : vtkTileVS));
   }
   return *pass;
 }

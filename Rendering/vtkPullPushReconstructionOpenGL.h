@@ -16,10 +16,13 @@
 
 #include <map>
 #include <memory>
+#include <string>
+#include <tuple>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
 class vtkScreenPass;
+class vtkShaderProgram;
 class vtkWindow;
 struct vtkPullPushParameters;
 
@@ -56,7 +59,7 @@ private:
   void Push(vtkOpenGLRenderWindow* window, const vtkPullPushParameters& parameters,
     vtkSurfaceTarget& fine, vtkSurfaceTarget& coarse, vtkSurfaceTarget& result, int level);
   void Fill(vtkOpenGLRenderWindow* window, const vtkPullPushParameters& parameters,
-    vtkSurfaceTarget& unfilled, vtkSurfaceTarget& result);
+    vtkSurfaceTarget& unfilled, vtkSurfaceTarget& coarse, vtkSurfaceTarget& result);
   enum Kind
   {
     PullPass,
@@ -64,15 +67,22 @@ private:
     FillPass,
     NumberOfKinds
   };
-  vtkScreenPass& GetPass(Kind kind, const Layers& input, const Layers& output);
+  vtkScreenPass& GetPass(
+    const vtkPullPushParameters& parameters, Kind kind, const Layers& input, const Layers& output);
   void DrawLevel(vtkOpenGLRenderWindow* window, const vtkPullPushParameters& parameters,
     vtkScreenPass& pass, int level);
+  // The same tile by tile, without those that the coarser level has no surface for.
+  void DrawTiles(vtkOpenGLRenderWindow* window, const vtkPullPushParameters& parameters,
+    vtkScreenPass& pass, vtkShaderProgram* program, vtkSurfaceTarget& result,
+    vtkSurfaceTarget& coarse, int level, int margin);
 
   int Passes = 0;
   std::vector<std::unique_ptr<vtkSurfaceTarget>> Pulled; // levels 1 and up, by level - 1
   vtkSurfaceTarget Unfilled;                             // level 0 before it is filled
   std::vector<std::unique_ptr<vtkSurfaceTarget>> Pushed; // the same; the coarsest is not used
-  std::map<std::pair<Layers, Layers>, std::unique_ptr<vtkScreenPass>> Programs[NumberOfKinds];
+  // By what a program is made for: constants, layers that it reads, layers that it writes.
+  std::map<std::tuple<std::string, Layers, Layers>, std::unique_ptr<vtkScreenPass>>
+    Programs[NumberOfKinds];
 };
 
 #endif

@@ -20,7 +20,10 @@ class vtkShaderProgram;
 class vtkScreenPass
 {
 public:
-  explicit vtkScreenPass(const std::string& fragmentShader);
+  /**
+   * `vertexShader` is for passes that are drawn by points; by default the viewport is filled.
+   */
+  explicit vtkScreenPass(const std::string& fragmentShader, const std::string& vertexShader = "");
   ~vtkScreenPass();
 
   /**
@@ -34,13 +37,24 @@ public:
    */
   void Draw(vtkOpenGLRenderWindow* window, int x, int y, int width, int height);
 
+  /**
+   * Draws `count` points, cut to x, y, width, height in the same way: the vertex shader places them
+   * by their numbers.
+   */
+  void DrawPoints(
+    vtkOpenGLRenderWindow* window, int x, int y, int width, int height, int count, float size);
+
   void ReleaseGraphicsResources();
 
 private:
   vtkScreenPass(const vtkScreenPass&) = delete;
   void operator=(const vtkScreenPass&) = delete;
 
+  void DrawPrimitives(vtkOpenGLRenderWindow* window, int x, int y, int width, int height,
+    unsigned int mode, int count);
+
   std::string FragmentShader;
+  std::string VertexShader;
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
 };
 

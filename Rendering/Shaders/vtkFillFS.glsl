@@ -23,7 +23,8 @@ void main()
   bool isBack = twoSided && !facesViewer(surface.xyz, vec2(pixel) + 0.5);
   vec4 around[8];
   float nearest = 3.4e38;
-  int front = 0;
+  vec3 frontNormal = vec3(0.0);
+  ivec2 frontPlace = pixel;
   int runLength = 0;
   int longestRun = 0;
   float limit = surface.w > 0.0 ? surface.w - depthStep : 3.4e38;
@@ -32,15 +33,11 @@ void main()
     ivec2 place = pixel + ring[i];
     bool inside = all(greaterThanEqual(place, begin)) && all(lessThan(place, end));
     around[i] = inside ? texelFetch(inSurface, place, 0) : vec4(0.0);
-    if (around[i].w >= limit)
-    {
-      around[i].w = 0.0;
-    }
-    if (around[i].w > 0.0 && around[i].w < nearest)
-    {
-      nearest = around[i].w;
-      front = i;
-    }
+    around[i].w = around[i].w >= limit ? 0.0 : around[i].w;
+    bool isFront = around[i].w > 0.0 && around[i].w < nearest;
+    nearest = isFront ? around[i].w : nearest;
+    frontNormal = isFront ? around[i].xyz : frontNormal;
+    frontPlace = isFront ? place : frontPlace;
   }
   for (int i = 0; i < 12; ++i) // once around, and on by the longest run that matters
   {
@@ -56,21 +53,19 @@ void main()
 #endif
     for (int i = 0; i < 8; ++i)
     {
-      if (around[i].w > 0.0 && around[i].w <= nearest + 2.0 * depthStep)
-      {
-        float weight = (i & 1) == 0 ? 2.0 : 1.0;
-        float side = dot(around[i].xyz, around[front].xyz) < 0.0 ? -1.0 : 1.0;
-        sum += weight * around[i] * vec4(vec3(side), 1.0);
-        weights += weight;
+      bool isTaken = around[i].w > 0.0 && around[i].w <= nearest + 2.0 * depthStep;
+      float weight = isTaken ? ((i & 1) == 0 ? 2.0 : 1.0) : 0.0;
+      float side = dot(around[i].xyz, frontNormal) < 0.0 ? -1.0 : 1.0;
+      sum += weight * around[i] * vec4(vec3(side), 1.0);
+      weights += weight;
 #ifdef HAS_COLOR
-        color += weight * texelFetch(inColor, pixel + ring[i], 0);
+      color += isTaken ? weight * texelFetch(inColor, pixel + ring[i], 0) : vec4(0.0);
 #endif
-      }
     }
     float size = length(sum.xyz);
-    surface = vec4(size < 1e-6 ? around[front].xyz : sum.xyz / size, sum.w / weights);
+    surface = vec4(size < 1e-6 ? frontNormal : sum.xyz / size, sum.w / weights);
 #ifdef HAS_ID
-    id = texelFetch(inId, pixel + ring[front], 0).r;
+    id = texelFetch(inId, frontPlace, 0).r;
 #endif
 #ifdef HAS_COLOR
     color /= weights;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Average: of the points that fall in one pixel, from their sums (vtkPointSumFS.glsl) and the nearest.
+// Average: of the points that fall in one pixel, from the nearest and the sums of the others
+// (vtkPointSumFS.glsl).
 uniform bool centerDepths; // see vtkPullPushCommon.glsl
 
 void main()
@@ -8,12 +9,14 @@ void main()
   vec4 shape = texelFetch(nearestShape, pixel, 0);
   vec4 interval = texelFetch(nearestInterval, pixel, 0);
   vec4 shapeSum = texelFetch(sumShape, pixel, 0);
-  float count = shapeSum.w;
+  float count = shapeSum.w + 1.0;
   if (count > 1.0)
   {
-    vec4 mean = texelFetch(sumInterval, pixel, 0) / count;
-    float size = length(shapeSum.xyz);
-    shape = vec4(size < 1e-6 ? shape.xyz : shapeSum.xyz / size, mean.y);
+    vec4 nearest = vec4(interval.x, shape.w, interval.zw);
+    vec4 mean = (nearest + texelFetch(sumInterval, pixel, 0)) / count;
+    vec3 normal = shape.xyz + shapeSum.xyz;
+    float size = length(normal);
+    shape = vec4(size < 1e-6 ? shape.xyz : normal / size, mean.y);
     interval.zw = mean.zw;
     if (centerDepths)
     {
@@ -22,10 +25,6 @@ void main()
   }
   OUT_SHAPE = shape;
   OUT_INTERVAL = interval;
-#ifdef HAS_ID
-  OUT_ID = texelFetch(nearestId, pixel, 0).r;
-#endif
-#ifdef HAS_COLOR
-  OUT_COLOR = texelFetch(sumColor, pixel, 0) / max(count, 1.0);
-#endif
+  WRITE_ID(texelFetch(nearestId, pixel, 0).r);
+  WRITE_COLOR((texelFetch(nearestColor, pixel, 0) + texelFetch(sumColor, pixel, 0)) / count);
 }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Project: each point goes to at most one pixel (Marroquim et al. 2007, section 3.1). After
-// vtkPointAttributes.glsl.
+// vtkPointAttributes.glsl. What is drawn of the points, a constant before this text: ALL_POINTS;
+// ONLY_FARTHEST, of each pixel those within the tolerance behind its nearest one; ONLY_COMPANIONS, those
+// behind the nearest one by no more than their radius.
 uniform vec2 depthRange;     // eye depths between which the cloud lies
 uniform bool subpixelCenters;
 uniform bool centerDepths;   // see vtkPullFS.glsl
-uniform bool onlyFarthest;   // only points within the tolerance behind the nearest one of a pixel
 uniform float depthTolerance;
 uniform sampler2D nearestInterval;
+uniform usampler2D nearestId;
 
 flat out vec4 shape;
 flat out vec4 interval;
@@ -36,13 +38,21 @@ void main()
   // The pixel is chosen here, not by the rasteriser with its own rounding.
   vec2 window = 0.5 * targetSize * (gl_Position.xy / gl_Position.w + 1.0);
   vec2 center = floor(window) + 0.5;
-  if (onlyFarthest &&
-    depth > texelFetch(nearestInterval, ivec2(floor(window)), 0).x + depthTolerance)
+#ifndef ALL_POINTS
+  ivec2 pixel = clamp(ivec2(center), ivec2(0), ivec2(targetSize) - 1);
+  float nearest = texelFetch(nearestInterval, pixel, 0).x;
+#ifdef ONLY_FARTHEST
+  bool isWanted = depth <= nearest + depthTolerance;
+#else
+  bool isWanted = depth <= nearest + radius && texelFetch(nearestId, pixel, 0).r != id;
+#endif
+  if (!isWanted)
   {
     interval = vec4(0.0);
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     return;
   }
+#endif
   gl_Position.xy = (2.0 * center / targetSize - 1.0) * gl_Position.w;
   interval.xy = centerDepths ? vec2(depth, 0.0) : vec2(depth, depth + radius);
   interval.zw = subpixelCenters ? window - center : vec2(0.0);

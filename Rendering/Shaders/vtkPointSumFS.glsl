@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sum: adds a point to its pixel, by blending, where it is behind the nearest one by no more than its
-// radius; see vtkPointAverageFS.glsl. Of the sums, shape.w is the number of points and interval.y
+// Sum: adds a point to its pixel, by blending, if it is not the nearest one; see
+// vtkPointAverageFS.glsl. Of the sums, shape.w is the number of points and interval.y
 // that of their radii.
 uniform bool twoSided; // normals may point to either side
 
@@ -11,10 +11,6 @@ flat in vec4 color;
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  if (interval.x > texelFetch(nearestInterval, pixel, 0).x + shape.w)
-  {
-    discard;
-  }
   vec3 nearest = texelFetch(nearestShape, pixel, 0).xyz;
   float side = twoSided && dot(shape.xyz, nearest) < 0.0 ? -1.0 : 1.0;
   OUT_SHAPE = vec4(side * shape.xyz, 1.0);

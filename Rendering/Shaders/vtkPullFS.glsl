@@ -12,6 +12,8 @@ void main()
   vec4 intervals[4];
   vec2 ranges[4];
   int front = -1;
+  vec3 frontNormal = vec3(0.0);
+  vec2 frontRange = vec2(3.4e38, -3.4e38);
   for (int i = 0; i < 4; ++i)
   {
     ivec2 fine = 2 * coarse + ivec2(i & 1, i >> 1);
@@ -21,10 +23,10 @@ void main()
     ranges[i] = getDepthRange(shapes[i], intervals[i]);
     // the displacement becomes relative to the coarse pixel's centre
     intervals[i].zw += fineSize * (vec2(i & 1, i >> 1) - 0.5);
-    if (shapes[i].w > 0.0 && (front < 0 || ranges[i].x < ranges[front].x))
-    {
-      front = i;
-    }
+    bool isFront = shapes[i].w > 0.0 && ranges[i].x < frontRange.x;
+    front = isFront ? i : front;
+    frontNormal = isFront ? shapes[i].xyz : frontNormal;
+    frontRange = isFront ? ranges[i] : frontRange;
   }
 
   vec4 shape = vec4(0.0);
@@ -38,27 +40,24 @@ void main()
   if (front >= 0)
   {
     float count = 0.0;
-    vec2 range = ranges[front];
-    float frontEnd = ranges[front].y;
+    vec2 range = frontRange;
     for (int i = 0; i < 4; ++i)
     {
       // the preliminary depth test: only what overlaps the frontmost interval is averaged
-      if (shapes[i].w <= 0.0 || ranges[i].x > frontEnd)
-      {
-        shapes[i].w = 0.0;
-        continue;
-      }
-      float side = twoSided && dot(shapes[i].xyz, shapes[front].xyz) < 0.0 ? -1.0 : 1.0;
+      bool isAveraged = shapes[i].w > 0.0 && ranges[i].x <= frontRange.y;
+      float share = isAveraged ? 1.0 : 0.0;
+      shapes[i].w *= share;
+      float side = twoSided && dot(shapes[i].xyz, frontNormal) < 0.0 ? -share : share;
       shape += shapes[i] * vec4(vec3(side), 1.0);
-      interval += intervals[i];
-      range.y = max(range.y, ranges[i].y);
+      interval += share * intervals[i];
+      range.y = isAveraged ? max(range.y, ranges[i].y) : range.y;
 #ifdef HAS_COLOR
-      color += texelFetch(fineColor, 2 * coarse + ivec2(i & 1, i >> 1), 0);
+      color += share * texelFetch(fineColor, 2 * coarse + ivec2(i & 1, i >> 1), 0);
 #endif
-      count += 1.0;
+      count += share;
     }
     float size = length(shape.xyz);
-    shape.xyz = size < 1e-6 ? shapes[front].xyz : shape.xyz / size;
+    shape.xyz = size < 1e-6 ? frontNormal : shape.xyz / size;
     shape.w /= count;
     interval /= count;
     interval.xy = centerDepths ? vec2(interval.x, 0.0) : range;

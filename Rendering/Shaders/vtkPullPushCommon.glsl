@@ -5,12 +5,12 @@
 // As published, depth is the least and the largest depth. With centerDepths it is the depth of the
 // disc's centre and half of the depth that the disc's points span around it, so that a disc has a
 // place in space.
-uniform bool centerDepths;
+// Options that are the same for all pixels are constants, put before this text: centerDepths;
+// twoSided, where normals may point to either side.
 uniform vec4 pixelToEye; // xy: eye units a pixel where w is 1; zw: w = z * depth + w
 uniform vec4 eyeRay;     // xy: the ray's direction through the pixel (0, 0); zw: its origin
 uniform vec4 eyeRayStep; // change of these a pixel of level 0
 uniform float shear;     // in a sheared picture eye x is less than by these by that times y
-uniform bool twoSided;   // normals may point to either side
 
 vec2 getDepthRange(vec4 shape, vec4 interval)
 {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Push: invalid and occluded pixels of a level from the coarser one (Marroquim et al. 2007, section 3.3).
+// More constants, see vtkPullPushCommon.glsl: distanceWeights; depthTest, where only what is near the
+// frontmost interval is averaged (not in the paper); clips, where there are planes of clipping.
 uniform ivec2 coarseBegin; // pixels outside of [begin, end) are invalid
 uniform ivec2 coarseEnd;
 uniform float fineSize;    // pixels of level 0 along a side of a fine pixel
-uniform bool distanceWeights;
 uniform int numberOfClippingPlanes;
 uniform vec4 clippingPlanes[6]; // in eye coordinates, of unit length
-uniform bool depthTest;    // only what is near the frontmost interval is averaged (not in the paper)
 
 bool isInsideImage(ivec2 coarse)
 {
@@ -120,26 +120,19 @@ void main()
       ivec2 isNeighbor = ivec2(i & 1, i >> 1);
       ivec2 coarse = parent + toNeighbor * isNeighbor;
       weights[i] = 0.0;
-      if (!isInsideImage(coarse))
-      {
-        continue;
-      }
-      shapes[i] = texelFetch(coarseShape, coarse, 0);
-      if (shapes[i].w <= 0.0)
-      {
-        continue;
-      }
-      intervals[i] = texelFetch(coarseInterval, coarse, 0);
+      shapes[i] = isInsideImage(coarse) ? texelFetch(coarseShape, coarse, 0) : vec4(0.0);
+      intervals[i] = isInsideImage(coarse) ? texelFetch(coarseInterval, coarse, 0) : vec4(0.0);
       // the displacement becomes relative to the fine pixel
       intervals[i].zw += (2.0 * vec2(coarse) + 1.0) * fineSize - fineCenter;
       float depth;
       float distance = getDistance(shapes[i], intervals[i], fineCenter, depth);
-      if (distance <= (isBack && facesViewer(shapes[i].xyz, fineCenter) ? 4.0 : 1.0) &&
-        !isClipped(fineCenter, depth))
+      if (shapes[i].w > 0.0 &&
+        distance <= (isBack && facesViewer(shapes[i].xyz, fineCenter) ? 4.0 : 1.0) &&
+        !(clips && isClipped(fineCenter, depth)))
       {
         // biquadratic B-spline subdivision: 9, 3, 3, 1 of 16
         weights[i] = distanceWeights
-          ? max(pow(max(1.0 - distance, 0.0), 2.0), 1e-6)
+          ? max(max(1.0 - distance, 0.0) * max(1.0 - distance, 0.0), 1e-6)
           : (isNeighbor.x == 0 ? 0.75 : 0.25) * (isNeighbor.y == 0 ? 0.75 : 0.25);
         vec2 range = getDepthRange(shapes[i], intervals[i]);
         if (depthTest && range.x < front)
@@ -164,24 +157,19 @@ void main()
 #endif
     for (int i = 0; i < 4; ++i)
     {
-      if (weights[i] == 0.0 || getDepthRange(shapes[i], intervals[i]).x > frontEnd)
-      {
-        continue;
-      }
+      float weight = getDepthRange(shapes[i], intervals[i]).x > frontEnd ? 0.0 : weights[i];
       ivec2 coarse = parent + toNeighbor * ivec2(i & 1, i >> 1);
-      if (twoSided && dot(shapes[i].xyz, mainNormal) < 0.0)
-      {
-        shapes[i].xyz = -shapes[i].xyz;
-      }
-      newShape += weights[i] * shapes[i];
-      newInterval += weights[i] * intervals[i];
-      sum += weights[i];
+      bool turns = twoSided && dot(shapes[i].xyz, mainNormal) < 0.0;
+      shapes[i].xyz = turns ? -shapes[i].xyz : shapes[i].xyz;
+      newShape += weight * shapes[i];
+      newInterval += weight * intervals[i];
+      sum += weight;
 #ifdef HAS_COLOR
-      newColor += weights[i] * texelFetch(coarseColor, coarse, 0);
+      newColor += weight * texelFetch(coarseColor, coarse, 0);
 #endif
-      if (weights[i] > mainWeight)
+      if (weight > mainWeight)
       {
-        mainWeight = weights[i];
+        mainWeight = weight;
         mainNormal = shapes[i].xyz;
 #ifdef HAS_ID
         newId = texelFetch(coarseId, coarse, 0).r;
