@@ -34,13 +34,15 @@ std::vector<vtkDirectParameters::Level> MakeLevels(const vtkPointSurfaceView& vi
 {
   const auto& r = view.Rectangle;
   std::vector<vtkDirectParameters::Level> levels = { { view.Size[0], view.Size[1],
-    { r[0], r[1], r[0] + r[2], r[1] + r[3] } } };
+    { r[0], r[1], r[0] + r[2], r[1] + r[3] }, { 0, 0 } } };
+  int right = 0; // level 0 lies below, all others in a row above it
   while (static_cast<int>(levels.size()) <= coarsest)
   {
     const auto fine = levels.back();
     const auto& f = fine.Rectangle;
     levels.push_back({ (fine.Width + 1) / 2, (fine.Height + 1) / 2,
-      { f[0] / 2, f[1] / 2, (f[2] + 1) / 2, (f[3] + 1) / 2 } });
+      { f[0] / 2, f[1] / 2, (f[2] + 1) / 2, (f[3] + 1) / 2 }, { right, view.Size[1] } });
+    right += levels.back().Width;
   }
   return levels;
 }
@@ -71,6 +73,11 @@ vtkDirectParameters::vtkDirectParameters(
     this->PixelToCell[k] = static_cast<float>(scale);
   }
   this->Levels = MakeLevels(this->ImageView, options.AdaptiveResolution ? MaximumLevel : 0);
+  for (const Level& level : this->Levels)
+  {
+    this->SplatsSize[0] = std::max(this->SplatsSize[0], level.Offset[0] + level.Width);
+    this->SplatsSize[1] = std::max(this->SplatsSize[1], level.Offset[1] + level.Height);
+  }
   this->Gamma = static_cast<float>(options.DepthTolerance * view.Diagonal);
 
   const vtkEyeRays rays(this->ImageView);

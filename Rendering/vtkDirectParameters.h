@@ -22,6 +22,7 @@ struct vtkDirectParameters
   {
     int Width, Height;
     std::array<int, 4> Rectangle; ///< x, y, x end, y end: cells outside are empty
+    std::array<int, 2> Offset;    ///< in the image of splats, which has all levels side by side
   };
 
   /// Occupied cells, of the 9 around one, that make its splat at its own level.
@@ -50,8 +51,9 @@ struct vtkDirectParameters
   vtkDirectOptions Options;
   vtkPointSurfaceView ImageView; ///< the view with the image buffer's size and rectangle
   std::vector<Level> Levels;
-  double ImageStep = 1.0; ///< rho: pixels along a cell
-  float Gamma = 0.0f;     ///< in eye units
+  std::array<int, 2> SplatsSize{}; ///< of the image of splats
+  double ImageStep = 1.0;          ///< rho: pixels along a cell
+  float Gamma = 0.0f;              ///< in eye units
 
   // Linear functions of a place in cells of level 0: eye xy = origin + depth * direction, and then
   // x less Shear times y.

@@ -4,8 +4,12 @@
 #include "vtkDirectParameters.h"
 #include "vtkDirectReconstructionCPU.h"
 #include "vtkDirectReconstructionOpenGL.h"
+#include "vtkLitSplatsDec.h"
+#include "vtkLitSplatsFetch.h"
+#include "vtkLitSplatsImpl.h"
 #include "vtkPointProjectionOptions.h"
 #include "vtkPointSurfaceView.h"
+#include "vtkSurfaceBufferShading.h"
 #include "vtkSurfaceImage.h"
 #include "vtkSurfacePixels.h"
 #include "vtkSurfaceTarget.h"
@@ -15,7 +19,10 @@
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLHelper.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkShader.h"
+#include "vtkShaderProgram.h"
 #include "vtkTimerLog.h"
 
 #include <algorithm>
@@ -25,6 +32,7 @@ class vtkDirectPointMapper::vtkInternals
 public:
   vtkSurfaceTarget Nearest;
   vtkSurfaceTarget Farthest;
+  vtkSurfaceTarget Splats;
   vtkDirectReconstructionOpenGL Reconstruction;
   vtkSurfaceImage NearestCPU;
   vtkSurfaceImage FarthestCPU;
@@ -52,6 +60,7 @@ void vtkDirectPointMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
   this->Internals->Nearest.ReleaseGraphicsResources(window);
   this->Internals->Farthest.ReleaseGraphicsResources(window);
+  this->Internals->Splats.ReleaseGraphicsResources(window);
   this->Internals->Reconstruction.ReleaseGraphicsResources(window);
 }
 
@@ -64,6 +73,7 @@ void vtkDirectPointMapper::SetToPublished()
   this->PlaneSplatsOff();
   this->DepthTestInSplatsOff();
   this->AdaptiveResolutionOff();
+  this->ShadeBeforeSplattingOn();
 }
 
 vtkDirectOptions vtkDirectPointMapper::GetOptions() const
@@ -113,7 +123,8 @@ void vtkDirectPointMapper::MakeSurfaceBuffer(
   this->ProjectPoints(window, parameters.ImageView, GetProjectionOptions(parameters), surface,
     internals.Nearest, this->FarthestPoints ? &internals.Farthest : nullptr);
   internals.Reconstruction.Run(window, parameters, internals.Nearest,
-    this->FarthestPoints ? internals.Farthest : internals.Nearest, surface);
+    this->FarthestPoints ? internals.Farthest : internals.Nearest,
+    this->ShadeBeforeSplatting ? this->GetSplats() : internals.Splats, surface);
   this->LastFramePasses = internals.Reconstruction.GetPasses();
   this->LastFrameNormalsMilliseconds = 0.0;
 }
@@ -131,7 +142,50 @@ void vtkDirectPointMapper::MakeSurfacePixels(
     this->FarthestPoints ? internals.FarthestCPU : internals.NearestCPU);
   this->LastFrameNormalsMilliseconds = 1e3 * (vtkTimerLog::GetUniversalTime() - start);
   internals.ReconstructionCPU.DrawSplats(parameters, ids, colors, surface);
+  if (this->ShadeBeforeSplatting)
+  {
+    this->LastFrameSurfaceBytesUploaded += internals.ReconstructionCPU.UploadSplats(
+      this->GetLastWindow(), parameters, colors, this->GetSplats());
+  }
   this->LastFramePasses = 2 * parameters.GetCoarsestLevel() + 2;
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectPointMapper::ReplaceShaderValues(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
+  if (!this->ShadeBeforeSplatting)
+  {
+    return;
+  }
+  // VTK's shading becomes a function of a splat, which a new main() calls for all of a pixel; what
+  // follows the light, of passes and selection, is done once
+  vtkShader* fragment = shaders[vtkShader::Fragment];
+  std::string text = fragment->GetSource();
+  vtkShaderProgram::Substitute(text, "//PointSurface::Lit::Dec",
+    vtkSurfaceTarget::GetInputDeclarations(this->GetSplats().GetLayers(), "in") +
+      vtkDirectReconstructionOpenGL::GetSplatDeclarations() + vtkLitSplatsDec);
+  vtkShaderProgram::Substitute(text, "//PointSurface::Lit::Impl", vtkLitSplatsFetch);
+  vtkShaderProgram::Substitute(text, "gl_FragData[0].a *= psCoverage;",
+    "if (psLightsSplat) { return; }\n"
+    "  gl_FragData[0] = psWeight > 0.0 ? psLit / psWeight : gl_FragData[0];\n"
+    "  gl_FragData[0].a *= psCoverage;");
+  vtkSurfaceBufferShading::CallFromMain(text, vtkLitSplatsImpl);
+  fragment->SetSource(text);
+}
+
+void vtkDirectPointMapper::SetMapperShaderParameters(
+  vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetMapperShaderParameters(helper, renderer, actor);
+  if (this->ShadeBeforeSplatting)
+  {
+    const vtkPointSurfaceView& view = this->GetShadedView();
+    this->GetSplats().SetSamplers(helper.Program, "in");
+    vtkDirectReconstructionOpenGL::SetSplatUniforms(
+      helper.Program, vtkDirectParameters(view, this->GetOptions()), view.Supersampling);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -200,6 +254,7 @@ void vtkDirectPointMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PlaneSplats: " << this->PlaneSplats << "\n";
   os << indent << "DepthTestInSplats: " << this->DepthTestInSplats << "\n";
   os << indent << "AdaptiveResolution: " << this->AdaptiveResolution << "\n";
+  os << indent << "ShadeBeforeSplatting: " << this->ShadeBeforeSplatting << "\n";
   os << indent << "LastFrameImageSize: " << this->LastFrameImageSize[0] << " "
      << this->LastFrameImageSize[1] << "\n";
   os << indent << "LastFrameNormalsMilliseconds: " << this->LastFrameNormalsMilliseconds << "\n";

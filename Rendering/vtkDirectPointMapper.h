@@ -13,8 +13,7 @@
  * Japanese: GPU による直接的ポイントレンダリング).
  *
  * The defaults are what measures best. SetToPublished() turns the departures off; then this is the
- * algorithm as published, but that the paper shades the image buffer and splats colours, while here
- * the surface buffer is splatted and shaded once, by VTK.
+ * algorithm as published.
  *
  * The superclass's Radius is the sampling distance here, if over 0; RadiusScale is a factor on it,
  * so that 0.5 makes the image buffer twice as fine. RadiusArray, normals of the input and face
@@ -38,8 +37,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Turns every departure from the paper off: SamplingQuantile becomes 0, PublishedResolution and
-   * FarthestPoints are turned on, the other properties below off.
+   * Turns every departure from the paper off: SamplingQuantile becomes 0, PublishedResolution,
+   * FarthestPoints and ShadeBeforeSplatting are turned on, the other properties below off.
    */
   void SetToPublished();
 
@@ -132,6 +131,18 @@ public:
   vtkBooleanMacro(AdaptiveResolution, bool);
   ///@}
 
+  ///@{
+  /**
+   * Light splats and average their colours, as the paper does (sections 3.3 and 3.4). Off, their
+   * normals are averaged and each pixel is lit once: the error of pictures is the same within 0.1
+   * dB, with noise too, and shading takes many times less, as a splat is lit anew for each pixel
+   * that it covers. Depths are the same either way. Default off.
+   */
+  vtkSetMacro(ShadeBeforeSplatting, bool);
+  vtkGetMacro(ShadeBeforeSplatting, bool);
+  vtkBooleanMacro(ShadeBeforeSplatting, bool);
+  ///@}
+
   /**
    * The size in cells of the image buffer that the last surface buffer was made from.
    */
@@ -172,6 +183,10 @@ protected:
   bool HasCPUForm() const override { return true; }
   void MakeSurfacePixels(
     const vtkPointSurfaceView& view, bool ids, bool colors, vtkSurfacePixels& surface) override;
+  void ReplaceShaderValues(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void SetMapperShaderParameters(
+    vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor) override;
 
   double SamplingQuantile = 0.98;
   bool PublishedResolution = false;
@@ -181,6 +196,7 @@ protected:
   bool PlaneSplats = true;
   bool DepthTestInSplats = true;
   bool AdaptiveResolution = true;
+  bool ShadeBeforeSplatting = false;
 
   int LastFrameImageSize[2] = { 0, 0 };
   double LastFrameNormalsMilliseconds = 0.0;

@@ -5,6 +5,7 @@
 #include "vtkPointSurfaceVectorize.h"
 #include "vtkSurfaceImage.h"
 #include "vtkSurfacePixels.h"
+#include "vtkSurfaceTarget.h"
 
 #include "vtkSMPTools.h"
 #include "vtkType.h"
@@ -633,4 +634,66 @@ void vtkDirectReconstructionCPU::DrawSplats(
         band.Normalize();
       }
     });
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+/// A layer of the splat that a cell makes, if any, as the shaders have it.
+void CopySplat(
+  const vtkDirectParameters& p, const Cell& cell, vtkSurfaceTarget::Layer layer, float* out)
+{
+  if (!cell.Splats)
+  {
+    std::fill_n(out, 4, 0.0f);
+    return;
+  }
+  switch (layer)
+  {
+    case vtkSurfaceTarget::Shape:
+      std::copy_n(cell.Normal, 3, out);
+      out[3] = cell.Radius[0] * p.PixelToCell[0];
+      return;
+    case vtkSurfaceTarget::Interval:
+      for (int k = 0; k < 3; ++k)
+      {
+        out[k] = 0.5f * (cell.Nearest[k] + cell.Farthest[k]);
+      }
+      out[3] = 0.0f;
+      return;
+    default:
+      std::copy_n(cell.Color, 4, out);
+  }
+}
+}
+
+size_t vtkDirectReconstructionCPU::UploadSplats(vtkOpenGLRenderWindow* window,
+  const vtkDirectParameters& p, bool colors, vtkSurfaceTarget& splats)
+{
+  std::vector<vtkSurfaceTarget::Layer> layers = { vtkSurfaceTarget::Shape,
+    vtkSurfaceTarget::Interval };
+  if (colors)
+  {
+    layers.push_back(vtkSurfaceTarget::Color);
+  }
+  splats.Allocate(window, p.SplatsSize[0], p.SplatsSize[1], layers);
+  size_t bytes = 0;
+  for (int level = 0; level <= p.GetCoarsestLevel(); ++level)
+  {
+    const auto& r = p.Levels[level].Rectangle;
+    const auto& offset = p.Levels[level].Offset;
+    const std::array<int, 4> place = { r[0] + offset[0], r[1] + offset[1], r[2] + offset[0],
+      r[3] + offset[1] };
+    const Cells& cells = this->Levels[level];
+    std::vector<float> values(4 * cells.size());
+    for (vtkSurfaceTarget::Layer layer : layers)
+    {
+      for (size_t i = 0; i < cells.size(); ++i)
+      {
+        CopySplat(p, cells[i], layer, &values[4 * i]);
+      }
+      bytes += splats.Upload(window, layer, place, values.data());
+    }
+  }
+  return bytes;
 }

@@ -11,9 +11,12 @@
 #ifndef vtkDirectReconstructionCPU_h
 #define vtkDirectReconstructionCPU_h
 
+#include <cstddef>
 #include <vector>
 
+class vtkOpenGLRenderWindow;
 class vtkSurfaceImage;
+class vtkSurfaceTarget;
 struct vtkDirectParameters;
 struct vtkSurfacePixels;
 
@@ -47,6 +50,13 @@ public:
   void DrawSplats(
     const vtkDirectParameters& parameters, bool ids, bool colors, vtkSurfacePixels& pixels);
   ///@}
+
+  /**
+   * Copies the splats to an image of them as vtkDirectReconstructionOpenGL makes it, with the layer
+   * Color or without. Returns how many bytes that are.
+   */
+  size_t UploadSplats(vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters,
+    bool colors, vtkSurfaceTarget& splats);
 
 private:
   std::vector<std::vector<Cell>> Levels; // the cells of each level's rectangle

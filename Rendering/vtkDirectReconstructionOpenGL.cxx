@@ -6,6 +6,7 @@
 #include "vtkDirectMergeFS.h"
 #include "vtkDirectNormalsFS.h"
 #include "vtkDirectParameters.h"
+#include "vtkDirectSplats.h"
 #include "vtkDirectSplatsFS.h"
 #include "vtkScreenPass.h"
 
@@ -39,28 +40,25 @@ vtkDirectReconstructionOpenGL::~vtkDirectReconstructionOpenGL() = default;
 //------------------------------------------------------------------------------
 void vtkDirectReconstructionOpenGL::Run(vtkOpenGLRenderWindow* window,
   const vtkDirectParameters& parameters, vtkSurfaceTarget& nearest, vtkSurfaceTarget& farthest,
-  vtkSurfaceTarget& surface)
+  vtkSurfaceTarget& splats, vtkSurfaceTarget& surface)
 {
   this->Passes = 0;
   this->Allocate(window, parameters, nearest.GetLayers());
+  const auto& size = parameters.SplatsSize;
+  splats.Allocate(window, size[0], size[1], nearest.GetLayers());
   this->Load(window, parameters, nearest, farthest);
-  this->FitNormals(window, parameters, 0);
+  this->FitNormals(window, parameters, 0, splats);
   for (int level = 1; level <= parameters.GetCoarsestLevel(); ++level)
   {
-    this->Merge(window, parameters, level);
-    this->FitNormals(window, parameters, level);
+    this->Merge(window, parameters, level, splats);
+    this->FitNormals(window, parameters, level, splats);
   }
-  this->DrawSplats(window, parameters, surface);
+  this->DrawSplats(window, parameters, splats, surface);
 }
 
 void vtkDirectReconstructionOpenGL::Allocate(
   vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters, const Layers& layers)
 {
-  // the image buffer below, all others in a row above it
-  this->SplatOffsets = { { 0, 0 } };
-  int width = parameters.Levels[0].Width;
-  int height = parameters.Levels[0].Height;
-  int right = 0;
   for (int level = 0; level <= parameters.GetCoarsestLevel(); ++level)
   {
     const auto& size = parameters.Levels[level];
@@ -69,15 +67,7 @@ void vtkDirectReconstructionOpenGL::Allocate(
       this->Cells.emplace_back(new vtkSurfaceTarget);
     }
     this->Cells[level]->Allocate(window, size.Width, size.Height, layers);
-    if (level > 0)
-    {
-      this->SplatOffsets.push_back({ right, parameters.Levels[0].Height });
-      right += size.Width;
-      width = std::max(width, right);
-      height = std::max(height, parameters.Levels[0].Height + size.Height);
-    }
   }
-  this->Splats.Allocate(window, width, height, layers);
 }
 
 //------------------------------------------------------------------------------
@@ -102,8 +92,8 @@ void vtkDirectReconstructionOpenGL::Load(vtkOpenGLRenderWindow* window,
   nearest.Deactivate();
 }
 
-void vtkDirectReconstructionOpenGL::Merge(
-  vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters, int level)
+void vtkDirectReconstructionOpenGL::Merge(vtkOpenGLRenderWindow* window,
+  const vtkDirectParameters& parameters, int level, vtkSurfaceTarget& splats)
 {
   vtkSurfaceTarget& fine = *this->Cells[level - 1];
   vtkScreenPass& pass = this->GetPass(MergePass, fine.GetLayers(), fine.GetLayers());
@@ -114,26 +104,26 @@ void vtkDirectReconstructionOpenGL::Merge(
   }
   fine.Activate();
   fine.SetSamplers(program, "fine");
-  this->Splats.Activate();
-  this->Splats.SetSamplers(program, "splat");
+  splats.Activate();
+  splats.SetSamplers(program, "splat");
   SetCommonUniforms(program, parameters);
   const auto& r = parameters.Levels[level - 1].Rectangle;
   program->SetUniform2i("fineBegin", r.data());
   program->SetUniform2i("fineEnd", r.data() + 2);
-  program->SetUniform2i("splatOffset", this->SplatOffsets[level - 1].data());
+  program->SetUniform2i("splatOffset", parameters.Levels[level - 1].Offset.data());
   program->SetUniformf("size", static_cast<float>(1 << level));
   this->Cells[level]->BindForWriting(window);
   DrawRectangle(window, pass, parameters.Levels[level].Rectangle, { 0, 0 });
   ++this->Passes;
-  this->Splats.Deactivate();
+  splats.Deactivate();
   fine.Deactivate();
 }
 
-void vtkDirectReconstructionOpenGL::FitNormals(
-  vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters, int level)
+void vtkDirectReconstructionOpenGL::FitNormals(vtkOpenGLRenderWindow* window,
+  const vtkDirectParameters& parameters, int level, vtkSurfaceTarget& splats)
 {
   vtkSurfaceTarget& cells = *this->Cells[level];
-  vtkScreenPass& pass = this->GetPass(NormalsPass, cells.GetLayers(), this->Splats.GetLayers());
+  vtkScreenPass& pass = this->GetPass(NormalsPass, cells.GetLayers(), splats.GetLayers());
   vtkShaderProgram* program = pass.Ready(window);
   if (!program)
   {
@@ -145,7 +135,7 @@ void vtkDirectReconstructionOpenGL::FitNormals(
   const auto& r = parameters.Levels[level].Rectangle;
   program->SetUniform2i("begin", r.data());
   program->SetUniform2i("end", r.data() + 2);
-  program->SetUniform2i("splatOffset", this->SplatOffsets[level].data());
+  program->SetUniform2i("splatOffset", parameters.Levels[level].Offset.data());
   program->SetUniformf("size", static_cast<float>(1 << level));
   program->SetUniformf("splatRadius", vtkDirectParameters::SplatRadius);
   program->SetUniformi("enoughNeighbors", vtkDirectParameters::EnoughNeighbors);
@@ -158,23 +148,15 @@ void vtkDirectReconstructionOpenGL::FitNormals(
   program->SetUniformf("fitRadius", vtkDirectParameters::FitRadius);
   const float fitDepths[2] = { vtkDirectParameters::FitDepth, vtkDirectParameters::RefitDepth };
   program->SetUniform2f("fitDepths", fitDepths);
-  this->Splats.BindForWriting(window);
-  DrawRectangle(window, pass, r, this->SplatOffsets[level]);
+  splats.BindForWriting(window);
+  DrawRectangle(window, pass, r, parameters.Levels[level].Offset);
   ++this->Passes;
   cells.Deactivate();
 }
 
-void vtkDirectReconstructionOpenGL::DrawSplats(
-  vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters, vtkSurfaceTarget& surface)
+void vtkDirectReconstructionOpenGL::SetSplatUniforms(
+  vtkShaderProgram* program, const vtkDirectParameters& parameters, int samples)
 {
-  vtkScreenPass& pass = this->GetPass(SplatsPass, this->Splats.GetLayers(), surface.GetLayers());
-  vtkShaderProgram* program = pass.Ready(window);
-  if (!program)
-  {
-    return;
-  }
-  this->Splats.Activate();
-  this->Splats.SetSamplers(program, "in");
   SetCommonUniforms(program, parameters);
   const int count = parameters.GetCoarsestLevel() + 1;
   program->SetUniformi("levels", count);
@@ -182,11 +164,13 @@ void vtkDirectReconstructionOpenGL::DrawSplats(
   {
     const std::string index = "[" + std::to_string(level) + "]";
     const auto& r = parameters.Levels[level].Rectangle;
-    program->SetUniform2i(("levelOffset" + index).c_str(), this->SplatOffsets[level].data());
+    program->SetUniform2i(("levelOffset" + index).c_str(), parameters.Levels[level].Offset.data());
     program->SetUniform2i(("levelBegin" + index).c_str(), r.data());
     program->SetUniform2i(("levelEnd" + index).c_str(), r.data() + 2);
   }
-  program->SetUniform2f("pixelToCell", parameters.PixelToCell.data());
+  const float pixelToCell[2] = { samples * parameters.PixelToCell[0],
+    samples * parameters.PixelToCell[1] };
+  program->SetUniform2f("pixelToCell", pixelToCell);
   program->SetUniformi("planes", parameters.Options.PlaneSplats);
   program->SetUniformf("leastWidth", vtkDirectParameters::LeastWidth);
   program->SetUniformi("depthTest", parameters.Options.DepthTestInSplats);
@@ -198,13 +182,32 @@ void vtkDirectReconstructionOpenGL::DrawSplats(
   }
   program->SetUniformi("numberOfClippingPlanes", view.NumberOfClippingPlanes);
   program->SetUniform4fv("clippingPlanes", 6, clippingPlanes);
+}
+
+void vtkDirectReconstructionOpenGL::DrawSplats(vtkOpenGLRenderWindow* window,
+  const vtkDirectParameters& parameters, vtkSurfaceTarget& splats, vtkSurfaceTarget& surface)
+{
+  vtkScreenPass& pass = this->GetPass(SplatsPass, splats.GetLayers(), surface.GetLayers());
+  vtkShaderProgram* program = pass.Ready(window);
+  if (!program)
+  {
+    return;
+  }
+  splats.Activate();
+  splats.SetSamplers(program, "in");
+  SetSplatUniforms(program, parameters, 1);
   surface.BindForWriting(window);
   DrawRectangle(window, pass, parameters.Rectangle, { 0, 0 });
   ++this->Passes;
-  this->Splats.Deactivate();
+  splats.Deactivate();
 }
 
 //------------------------------------------------------------------------------
+std::string vtkDirectReconstructionOpenGL::GetSplatDeclarations()
+{
+  return std::string(vtkDirectCommon) + vtkDirectSplats;
+}
+
 vtkScreenPass& vtkDirectReconstructionOpenGL::GetPass(
   Kind kind, const Layers& input, const Layers& output)
 {
@@ -231,7 +234,7 @@ vtkScreenPass& vtkDirectReconstructionOpenGL::GetPass(
         break;
       default:
         text += vtkSurfaceTarget::GetInputDeclarations(input, "in");
-        text += std::string(vtkDirectCommon) + vtkDirectSplatsFS;
+        text += GetSplatDeclarations() + vtkDirectSplatsFS;
     }
     pass.reset(new vtkScreenPass(text));
   }
@@ -244,7 +247,6 @@ void vtkDirectReconstructionOpenGL::ReleaseGraphicsResources(vtkWindow* window)
   {
     cells->ReleaseGraphicsResources(window);
   }
-  this->Splats.ReleaseGraphicsResources(window);
   for (auto& programs : this->Programs)
   {
     for (auto& entry : programs)

@@ -5,7 +5,7 @@
  *          surface buffer
  *
  * Average, normals and splats (Kawata and Kanai, sections 3.2 to 3.4), and coarser levels of cells
- * where points are sparse. What a level's splats are lies in one image, the levels side by side.
+ * where points are sparse. The splats of all levels lie in one image, side by side.
  */
 #ifndef vtkDirectReconstructionOpenGL_h
 #define vtkDirectReconstructionOpenGL_h
@@ -15,6 +15,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -30,11 +31,23 @@ public:
   ~vtkDirectReconstructionOpenGL();
 
   /**
-   * Fills `surface` within the parameters' rectangle. The projected targets have sub-pixel centres
-   * and centre depths, and the layers Id and Color where `surface` has them.
+   * Makes `splats`, the image of them, and fills `surface` with them within the parameters'
+   * rectangle. The projected targets have sub-pixel centres and centre depths, and the layers Id
+   * and Color where `surface` has them.
    */
   void Run(vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters,
-    vtkSurfaceTarget& nearest, vtkSurfaceTarget& farthest, vtkSurfaceTarget& surface);
+    vtkSurfaceTarget& nearest, vtkSurfaceTarget& farthest, vtkSurfaceTarget& splats,
+    vtkSurfaceTarget& surface);
+
+  ///@{
+  /**
+   * For other shaders that read splats (from samplers with the prefix "in"): GLSL of what they show
+   * at a place, and its uniforms; pixels have `samples` samples of the surface buffer along a side.
+   */
+  static std::string GetSplatDeclarations();
+  static void SetSplatUniforms(
+    vtkShaderProgram* program, const vtkDirectParameters& parameters, int samples);
+  ///@}
 
   /**
    * Passes over images in the last run.
@@ -61,15 +74,15 @@ private:
     vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters, const Layers& layers);
   void Load(vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters,
     vtkSurfaceTarget& nearest, vtkSurfaceTarget& farthest);
-  void Merge(vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters, int level);
-  void FitNormals(vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters, int level);
+  void Merge(vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters, int level,
+    vtkSurfaceTarget& splats);
+  void FitNormals(vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters, int level,
+    vtkSurfaceTarget& splats);
   void DrawSplats(vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters,
-    vtkSurfaceTarget& surface);
+    vtkSurfaceTarget& splats, vtkSurfaceTarget& surface);
   vtkScreenPass& GetPass(Kind kind, const Layers& input, const Layers& output);
 
   std::vector<std::unique_ptr<vtkSurfaceTarget>> Cells; // of each level
-  vtkSurfaceTarget Splats;
-  std::vector<std::array<int, 2>> SplatOffsets; // of each level in Splats
   std::map<Layers, std::unique_ptr<vtkScreenPass>> Programs[NumberOfKinds];
   int Passes = 0;
 };

@@ -11,6 +11,7 @@
 #include "vtkPointSurfaceCompat.h"
 #include "vtkPointSurfaceView.h"
 #include "vtkProjectedSurfaceFS.h"
+#include "vtkSurfaceBufferShading.h"
 #include "vtkSurfaceCopyFS.h"
 #include "vtkSurfaceImage.h"
 #include "vtkSurfacePixels.h"
@@ -311,9 +312,7 @@ void vtkImageSpacePointMapper::ReplaceShaderValues(
   // VTK's shading becomes a function of a pixel, which a new main() calls for each of 3x3
   vtkShader* fragment = shaders[vtkShader::Fragment];
   std::string text = fragment->GetSource();
-  vtkShaderProgram::Substitute(text, "void main()", "bool psGone;\nvoid psShade()");
-  vtkShaderProgram::Substitute(text, "discard;", "{ psGone = true; return; }");
-  text += vtkLitSmoothingImpl;
+  vtkSurfaceBufferShading::CallFromMain(text, vtkLitSmoothingImpl);
   fragment->SetSource(text);
 }
 

@@ -184,6 +184,7 @@ void vtkPointSurfaceMapper::ReleaseGraphicsResources(vtkWindow* window)
   for (auto& surface : this->Internals->Surfaces)
   {
     surface->Target.ReleaseGraphicsResources(window);
+    surface->Splats.ReleaseGraphicsResources(window);
   }
   this->Internals->Surfaces.clear();
   this->Internals->Current = nullptr;
@@ -1052,6 +1053,7 @@ void vtkPointSurfaceMapper::ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* 
   vtkOpenGLHelper& helper = this->Primitives[PrimitiveTris]; // what VTK lights
   helper.IBO->IndexCount = 3; // or VTK forgets when it has set the attributes
   target.Activate();
+  internals.Current->Splats.Activate();
   this->UpdateShaders(helper, renderer, actor);
   if (helper.Program)
   {
@@ -1064,6 +1066,7 @@ void vtkPointSurfaceMapper::ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* 
     helper.VAO->Bind();
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   }
+  internals.Current->Splats.Deactivate();
   target.Deactivate();
 }
 
@@ -1166,6 +1169,11 @@ vtkOpenGLRenderWindow* vtkPointSurfaceMapper::GetLastWindow() const
 const vtkPointSurfaceView& vtkPointSurfaceMapper::GetShadedView() const
 {
   return this->Internals->Current->View;
+}
+
+vtkSurfaceTarget& vtkPointSurfaceMapper::GetSplats()
+{
+  return this->Internals->Current->Splats;
 }
 
 namespace

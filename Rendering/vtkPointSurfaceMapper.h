@@ -322,6 +322,12 @@ protected:
    */
   const vtkPointSurfaceView& GetShadedView() const;
 
+  /**
+   * For subclasses that shade what the surface buffer is drawn from: a target that is kept with it,
+   * of the surface buffer that is being made or shaded.
+   */
+  vtkSurfaceTarget& GetSplats();
+
   ///@{
   /**
    * Adds a layer as vtkSurfaceTarget and vtkSurfaceImage return it to `image`: `components` of the

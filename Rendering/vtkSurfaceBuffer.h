@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSurfaceBuffer
- * @brief   a finished surface buffer, and the view that it is of
+ * @brief   a finished surface buffer, the view that it is of, and the splats that it was drawn
+ * from, where a mapper keeps them
  */
 #ifndef vtkSurfaceBuffer_h
 #define vtkSurfaceBuffer_h
@@ -13,6 +14,7 @@ struct vtkSurfaceBuffer
 {
   vtkPointSurfaceView View;
   vtkSurfaceTarget Target;
+  vtkSurfaceTarget Splats;
   bool Valid = false;
   bool HasCoverage = false; ///< the normals' length is the share of the pixel that is covered
   unsigned long LastUse = 0;

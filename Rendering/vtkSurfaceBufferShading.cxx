@@ -85,3 +85,10 @@ void vtkSurfaceBufferShading::Finish(std::string& fragmentShader)
   vtkShaderProgram::Substitute(
     fragmentShader, Marker, vtkSurfaceBufferImpl + GetAssignments(fragmentShader));
 }
+
+void vtkSurfaceBufferShading::CallFromMain(std::string& fragmentShader, const std::string& main)
+{
+  vtkShaderProgram::Substitute(fragmentShader, "void main()", "bool psGone;\nvoid psShade()");
+  vtkShaderProgram::Substitute(fragmentShader, "discard;", "{ psGone = true; return; }");
+  fragmentShader += main;
+}

@@ -29,6 +29,12 @@ void Prepare(std::string& fragmentShader, const std::vector<vtkSurfaceTarget::La
  * Turns varyings into globals, sets them at the marker, and writes the depth if nobody does.
  */
 void Finish(std::string& fragmentShader);
+
+/**
+ * Turns the finished main() into a function psShade(), which sets psGone where it would discard the
+ * fragment, and adds `main`, which calls it.
+ */
+void CallFromMain(std::string& fragmentShader, const std::string& main);
 }
 
 #endif

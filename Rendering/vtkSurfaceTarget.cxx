@@ -197,24 +197,30 @@ std::string vtkSurfaceTarget::GetOutputDeclarations(const std::vector<Layer>& la
 //------------------------------------------------------------------------------
 size_t vtkSurfaceTarget::Upload(vtkOpenGLRenderWindow* window, const vtkSurfacePixels& pixels)
 {
-  const std::array<int, 4>& r = pixels.Rectangle;
-  const size_t size = static_cast<size_t>(r[2] - r[0]) * (r[3] - r[1]);
   size_t bytes = 0;
-  window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   for (Layer layer : this->Layers)
   {
     const void* values = layer == Id ? static_cast<const void*>(pixels.Id.data())
       : layer == Color               ? pixels.Color.data()
                                      : pixels.Surface.data();
-    vtkTextureObject* texture = this->GetTexture(layer);
-    texture->Activate();
-    glTexSubImage2D(GL_TEXTURE_2D, 0, r[0], r[1], r[2] - r[0], r[3] - r[1],
-      IsInteger(layer) ? GL_RED_INTEGER : GL_RGBA, IsInteger(layer) ? GL_UNSIGNED_INT : GL_FLOAT,
-      values);
-    texture->Deactivate();
-    bytes += size * (IsInteger(layer) ? sizeof(unsigned int) : 4 * sizeof(float));
+    bytes += this->Upload(window, layer, pixels.Rectangle, values);
   }
   return bytes;
+}
+
+size_t vtkSurfaceTarget::Upload(vtkOpenGLRenderWindow* window, Layer layer,
+  const std::array<int, 4>& rectangle, const void* values)
+{
+  const int width = rectangle[2] - rectangle[0];
+  const int height = rectangle[3] - rectangle[1];
+  const bool integer = IsInteger(layer);
+  vtkTextureObject* texture = this->GetTexture(layer);
+  window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  texture->Activate();
+  glTexSubImage2D(GL_TEXTURE_2D, 0, rectangle[0], rectangle[1], width, height,
+    integer ? GL_RED_INTEGER : GL_RGBA, integer ? GL_UNSIGNED_INT : GL_FLOAT, values);
+  texture->Deactivate();
+  return static_cast<size_t>(width) * height * (integer ? sizeof(unsigned int) : 4 * sizeof(float));
 }
 
 //------------------------------------------------------------------------------

@@ -97,6 +97,13 @@ public:
    */
   size_t Upload(vtkOpenGLRenderWindow* window, const vtkSurfacePixels& pixels);
 
+  /**
+   * Copies `rectangle` (x, y, x end, y end) of a layer: four floats or an id a pixel, row by row.
+   * Returns how many bytes that are.
+   */
+  size_t Upload(vtkOpenGLRenderWindow* window, Layer layer, const std::array<int, 4>& rectangle,
+    const void* values);
+
   ///@{
   /**
    * Copies a layer to memory, from the lower left pixel on: four floats or one id + 1 a pixel, 0

@@ -26,3 +26,4 @@ bool psLeansOutward(ivec2 pixel, vec4 geometry)
   float behind = texelFetch(psSurface, clamp(pixel - offset, psBegin, psEnd - 1), 0).w;
   return (ahead > 0.0 ? ahead : 3.4e38) >= (behind > 0.0 ? behind : 3.4e38);
 }
+//PointSurface::Lit::Dec

@@ -30,3 +30,4 @@
     psGeometry.xyz -= psFacing * length(psGeometry.xyz) * psToViewer;
   }
   vec3 psNormalVC = psNormalToView * psGeometry.xyz;
+//PointSurface::Lit::Impl

@@ -75,6 +75,7 @@ def prepare(row, cloud, radius, eye):
     if row.startswith("direct"):
         mapper = vtkDirectPointMapper()
         mapper.SetFarthestPoints(row != NEAREST)
+        mapper.SetShadeBeforeSplatting(row == EARLY)
         mapper.SetInputData(cloud)
         return mapper
     estimate = vtkPCANormalEstimation()
@@ -108,37 +109,18 @@ def draw_first_frame(row, model, radius):
     width, height = errors.SIZE
     normals = vtk_to_numpy(data.GetArray("Normals")).reshape(height, width, 3).astype(float)
     depth = vtk_to_numpy(data.GetArray("Depth")).reshape(height, width).astype(float)
-    return SurfaceImage(color, normals, depth), scene, seconds, mapper
+    return SurfaceImage(color, normals, depth), scene, seconds
 
 
 def measure(row, model, radius, truth):
     """The errors of a row, and its time to the first frame."""
-    image, scene, seconds, mapper = draw_first_frame(row, model, radius)
+    image, scene, seconds = draw_first_frame(row, model, radius)
     if truth is None:
         truth = render_truth(model.mesh, scene.renderer, scene.lit, errors.SIZE, errors.TRUTH_SUPERSAMPLING)
     diagonal = np.linalg.norm(np.ptp(np.array(model.mesh.GetBounds()).reshape(3, 2), axis=1))
     found = compare(image, truth, diagonal)
     found["seconds"] = seconds
-    if row == DIRECT:
-        found["early"] = compare(shade_early(scene, mapper, image), truth, diagonal)["psnr"]
     return found, truth
-
-
-def shade_early(scene, mapper, image):
-    """What comes of shading the image buffer and splatting its colours, as the paper does: the same surface, drawn at
-    the image buffer's resolution, and that picture brought to the surface buffer's by a Gaussian of half a cell."""
-    cells = mapper.GetLastFrameImageSize()
-    scene.window.SetSize(*cells)
-    coarse = read_color(scene.window)
-    scene.window.SetSize(*errors.SIZE)
-    weights = []
-    for count, size in zip(cells, errors.SIZE):
-        place = (np.arange(size) + 0.5) * count / size
-        kernel = np.exp(-2 * (place[:, None] - np.arange(count) - 0.5) ** 2)
-        weights.append(kernel / kernel.sum(axis=1, keepdims=True))
-    fine = np.einsum("yj,jic,xi->yxc", weights[1], coarse, weights[0], optimize=True)
-    color = np.where(image.mask[..., None], fine, errors.BACKGROUND)
-    return SurfaceImage(color, image.normals, image.depth)
 
 
 def noise_table(name, noises, progress):

@@ -8,10 +8,16 @@ import pytest
 from scenes import Scene, array, difference, torus, torus_mesh
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPlane, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty, vtkRenderer
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkHardwareSelector,
+    vtkPolyDataMapper,
+    vtkProperty,
+    vtkRenderer,
+)
 
 from pointsurface import metrics, rendering, truth, vtkDirectPointMapper
 
@@ -225,6 +231,39 @@ def test_back_ends_agree():
         assert scene.mapper.GetLastFrameBackend() == getattr(vtkDirectPointMapper, backend)
     assert difference(*pictures) < 0.05
     assert np.mean(np.abs(pictures[0] - pictures[1]).max(axis=-1) > 4 / 255) < 0.002
+
+
+@pytest.mark.parametrize("backend", ["CPU", "OpenGL"])
+def test_shading_before_splatting(backend):
+    """Light is nearly the same as on mean normals; what else VTK does with a surface is the same."""
+    depths, pictures, cells = [], [], []
+    for early in (False, True):
+        scene = Scene(vtkDirectPointMapper, bare_torus(5000), (120, 90))
+        getattr(scene.mapper, f"SetBackendTo{backend}")()
+        scene.mapper.SetShadeBeforeSplatting(early)
+        scene.mapper.SetSupersampling(2)
+        scene.mapper.AddClippingPlane(vtkPlane())
+        scene.mapper.GetClippingPlanes().GetItem(0).SetNormal(0.8, 0, 0.6)
+        scene.actor.GetProperty().SetDiffuse(0.6)
+        scene.actor.GetProperty().SetSpecular(0.3)
+        pictures.append(scene.color())
+        depths.append(scene.depth())
+        selector = vtkHardwareSelector()
+        selector.SetRenderer(scene.renderer)
+        selector.SetFieldAssociation(vtkDataObject.FIELD_ASSOCIATION_POINTS)
+        selector.SetArea(0, 0, 119, 89)
+        cells.append(vtk_to_numpy(selector.Select().GetNode(0).GetSelectionList()).copy())
+        scene.renderer.SetUseDepthPeeling(True)  # takes colours apart from depths
+        scene.actor.GetProperty().SetOpacity(0.5)
+        pictures.append(scene.color())
+    assert np.array_equal(*depths)
+    assert np.array_equal(*cells) and len(cells[0]) > 300
+    for opaque_or_not in (0, 1):
+        assert 0.05 < difference(pictures[opaque_or_not], pictures[2 + opaque_or_not], depths[0] < 1) < 3
+    # half of the light, before the background
+    background = np.array((0.1, 0.2, 0.3))
+    for picture, half in (pictures[:2], pictures[2:]):
+        assert difference(half, 0.5 * (picture + background), depths[0] < 1) < 2
 
 
 @pytest.mark.parametrize("points", [1, 2, 3])

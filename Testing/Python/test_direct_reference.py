@@ -141,6 +141,30 @@ def test_agreement(scene, backend):
 
 
 @pytest.mark.parametrize("backend", ["CPU", "OpenGL"])
+@pytest.mark.parametrize("scene", SCENES[:2], ids=str)
+def test_shaded_before_splatting(scene, backend):
+    """The picture has the means of lit colours, not the light on mean normals; both within a rounding to bytes."""
+    frame = Frame(backend=backend, **scene)
+    nearest, farthest, surface = frame.read()
+
+    def lit(colors, normals, means):
+        cosines = np.clip(normals[..., 2:], 0, None)  # to the headlight
+        return cosines * (np.ones_like(cosines) if colors is None else colors) * np.ones(4)
+
+    expected = frame.crop(direct_reference.reconstruct(nearest, farthest, frame.projection, frame.whole_size, lit))
+    sure = (expected.depth > 0) & (surface["Depth"] > 0) & ~expected.near_decision
+    assert sure.sum() > 5000
+    early = np.abs(rendering.read_color(frame.window) - expected.colors[..., :3])[sure]
+    frame.mapper.ShadeBeforeSplattingOff()
+    once = np.abs(rendering.read_color(frame.window) - lit(surface.get("Colors"), surface["Normals"], None)[..., :3])[sure]
+    between = np.abs(lit(surface.get("Colors"), surface["Normals"], None) - expected.colors)[sure]
+    print(f"early {early.max()}, once {once.max()}, between them {between.max()}")
+    assert early.max() < 0.6 / 255
+    assert once.max() < 0.6 / 255
+    assert between.max() > 0.05  # or there was no difference to see
+
+
+@pytest.mark.parametrize("backend", ["CPU", "OpenGL"])
 def test_passes_select_the_nearest_and_the_farthest_points(backend):
     frame = Frame(6000, (160, 120), backend, radius=0.1)
     nearest, farthest, _ = frame.read()

@@ -4,8 +4,8 @@
 After H. Kawata, T. Kanai, Direct Point Rendering on GPU: from the nearest and the farthest points of an image buffer's
 cells (section 3.2) to averages, normals (section 3.3) and splats (section 3.4). What the paper leaves open is taken as
 vtkDirectPointMapper's documentation says: a splat is a square of three cells, its Gaussian has a deviation of half a
-cell; points on a line, seen from the eye, give no plane, and the cell faces the viewer. Normals and depths are splatted
-instead of shaded colours.
+cell; points on a line, seen from the eye, give no plane, and the cell faces the viewer. Normals and depths are splatted,
+and colours, which the caller may shade first, as the paper does.
 
 Arrays are of (height, width) or (height, width, components); row 0 is at the bottom.
 """
@@ -64,8 +64,11 @@ def select_points(eye, projection, size, gamma):
     return nearest, farthest
 
 
-def reconstruct(nearest, farthest, projection, size):
-    """The surface buffer of size (width, height) from the Points of the two passes."""
+def reconstruct(nearest, farthest, projection, size, shade=lambda colors, normals, means: colors):
+    """The surface buffer of size (width, height) from the Points of the two passes.
+
+    shade: makes the colours that are splatted from those of the cells (or None), their normals and their means.
+    """
     occupied = nearest.depth > 0
     cells = np.array(nearest.depth.shape[::-1])
     points = np.stack([_positions(p, projection, cells) for p in (nearest, farthest)])
@@ -78,6 +81,7 @@ def reconstruct(nearest, farthest, projection, size):
         samples = points[(slice(None), *window)][:, occupied[window]].reshape(-1, 3)
         normals[y, x], near_line[y, x] = _fit_normal(samples, means[y, x], parallel)
     colors = None if nearest.colors is None else (nearest.colors + farthest.colors) / 2
+    colors = shade(colors, normals, means)
     return _draw_splats(means, normals, colors, nearest.ids, near_line, occupied, projection, size)
 
 
