@@ -3,6 +3,7 @@
 
 #include "vtkSurfacePixels.h"
 
+#include "vtkMath.h"
 #include "vtkSMPTools.h"
 
 #include <cstdlib>
@@ -26,9 +27,14 @@ void vtkOutlineCoverageCPU::Run(const std::array<int, 2>& size, vtkSurfacePixels
   {
     for (int x = r[0]; x < r[2]; ++x)
     {
-      if (isBackground(x, y) ||
-        !(isBackground(x - 1, y) || isBackground(x + 1, y) || isBackground(x, y - 1) ||
-          isBackground(x, y + 1)))
+      if (isBackground(x, y))
+      {
+        continue;
+      }
+      float* normal = &pixels.Surface[4 * (static_cast<size_t>(y - r[1]) * width + x - r[0])];
+      vtkMath::Normalize(normal);
+      if (!(isBackground(x - 1, y) || isBackground(x + 1, y) || isBackground(x, y - 1) ||
+            isBackground(x, y + 1)))
       {
         continue;
       }
@@ -39,11 +45,7 @@ void vtkOutlineCoverageCPU::Run(const std::array<int, 2>& size, vtkSurfacePixels
         const int dy = i / 3 - 1;
         covered += isBackground(x + dx, y + dy) ? 0 : 4 >> (std::abs(dx) + std::abs(dy));
       }
-      float* normal = &pixels.Surface[4 * (static_cast<size_t>(y - r[1]) * width + x - r[0])];
-      for (int k = 0; k < 3; ++k)
-      {
-        normal[k] *= static_cast<float>(covered) / 16.0f;
-      }
+      vtkMath::MultiplyScalar(normal, static_cast<float>(covered) / 16.0f);
     }
   };
   constexpr int Grain = 16;

@@ -6,6 +6,8 @@
 #include "vtkEyeFrame.h"
 #include "vtkJointSurface.h"
 #include "vtkKeptArray.h"
+#include "vtkOutlineCoverageCPU.h"
+#include "vtkOutlineCoverageOpenGL.h"
 #include "vtkPointBlocks.h"
 #include "vtkPointProjectionCPU.h"
 #include "vtkPointProjectionOpenGL.h"
@@ -59,6 +61,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -96,6 +99,7 @@ public:
   vtkSurfacePixels SamplePixels; // and what they were resolved from, as Samples on OpenGL's
   vtkSurfaceTarget Samples;
   vtkResolveOpenGL Resolve;
+  vtkOutlineCoverageOpenGL Coverage; // in place of Resolve, where outlines are smoothed
   std::vector<std::unique_ptr<SurfaceBuffer>> Surfaces;
   SurfaceBuffer* Current = nullptr;
   vtkJointSurface* Joint = nullptr;           // that this cloud is a part of, while a pass renders
@@ -192,6 +196,7 @@ void vtkPointSurfaceMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Internals->Projection.ReleaseGraphicsResources(window);
   this->Internals->Samples.ReleaseGraphicsResources(window);
   this->Internals->Resolve.ReleaseGraphicsResources();
+  this->Internals->Coverage.ReleaseGraphicsResources();
   for (auto& timer : this->Internals->Timers)
   {
     timer.ReleaseGraphicsResources();
@@ -613,6 +618,14 @@ std::array<double, 6> GetBoundsOf(const vtkPointBlockGroup& blocks, const double
   return bounds;
 }
 
+/// Whether what is drawn to now has several samples a pixel: the window itself, but few passes.
+bool IsMultisampled(vtkOpenGLRenderWindow* window)
+{
+  GLint samples = 0;
+  window->GetState()->vtkglGetIntegerv(GL_SAMPLES, &samples);
+  return samples > 1;
+}
+
 int GetCulling(vtkProperty* property)
 {
   return property->GetBackfaceCulling() ? vtkPointSurfaceView::BackfaceCulling
@@ -694,6 +707,7 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(
   std::copy_n(viewport, 2, this->Internals->ViewportOrigin);
   view.Supersampling = this->GetPossibleSupersampling(viewport + 2);
   view.Size = { view.Supersampling * viewport[2], view.Supersampling * viewport[3] };
+  view.SmoothOutline = IsMultisampled(window) && view.Supersampling == 1 && !this->MakesCoverage();
 
   view.Cull = this->NeedsNormals() ? GetCulling(actor->GetProperty())
                                    : static_cast<int>(vtkPointSurfaceView::NoCulling);
@@ -879,9 +893,10 @@ void vtkPointSurfaceMapper::MakeBuffer(
   surface.Target.Allocate(
     window, view.Size[0] / view.Supersampling, view.Size[1] / view.Supersampling, layers);
   const bool resolve = view.Supersampling > 1;
+  const auto& r = view.Rectangle;
   surface.View = view;
   surface.Valid = true;
-  surface.HasCoverage = resolve || this->MakesCoverage();
+  surface.HasCoverage = resolve || view.SmoothOutline || this->MakesCoverage();
   ++this->LastFrameReconstructions;
   if (this->LastFrameBackend == CPU)
   {
@@ -891,6 +906,11 @@ void vtkPointSurfaceMapper::MakeBuffer(
     if (resolve)
     {
       vtkResolveCPU::Run(view, samples, internals.Pixels);
+      ++this->LastFramePasses;
+    }
+    else if (view.SmoothOutline)
+    {
+      vtkOutlineCoverageCPU::Run(view.Size, samples);
       ++this->LastFramePasses;
     }
     this->LastFrameSurfaceBytesUploaded += surface.Target.Upload(window, internals.Pixels);
@@ -925,11 +945,19 @@ void vtkPointSurfaceMapper::MakeBuffer(
     {
       internals.Timers[Reconstruct].Start();
     }
-    if (resolve)
+    if (resolve || view.SmoothOutline)
     {
       internals.Samples.Allocate(window, view.Size[0], view.Size[1], layers);
       this->MakeSurfaceBuffer(window, view, internals.Samples);
-      internals.Resolve.Run(window, view, internals.Samples, surface.Target);
+      if (resolve)
+      {
+        internals.Resolve.Run(window, view, internals.Samples, surface.Target);
+      }
+      else
+      {
+        internals.Coverage.Run(
+          window, { r[0], r[1], r[0] + r[2], r[1] + r[3] }, internals.Samples, surface.Target);
+      }
       ++this->LastFramePasses;
     }
     else
@@ -1039,6 +1067,29 @@ void vtkPointSurfaceMapper::ProjectPoints(const vtkPointSurfaceView& view,
 }
 
 //------------------------------------------------------------------------------
+namespace
+{
+/// While it lives, a fragment's alpha is the share of the pixel's samples that it is written to, as
+/// what an opaque mesh covers in part is: it does not matter what is drawn first.
+class ScopedAlphaToCoverage
+{
+public:
+  explicit ScopedAlphaToCoverage(vtkOpenGLState* state)
+    : BlendFunction(state)
+  {
+    // what is written replaces what was there; only of nothing there remains the share
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ZERO, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+  }
+  ~ScopedAlphaToCoverage() { glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE); }
+  ScopedAlphaToCoverage(const ScopedAlphaToCoverage&) = delete;
+  ScopedAlphaToCoverage& operator=(const ScopedAlphaToCoverage&) = delete;
+
+private:
+  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunction;
+};
+}
+
 void vtkPointSurfaceMapper::ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* actor)
 {
   vtkInternals& internals = *this->Internals;
@@ -1062,6 +1113,12 @@ void vtkPointSurfaceMapper::ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* 
     if (renderer->GetUseImageBasedLighting() && renderer->GetEnvironmentTexture())
     {
       state->vtkglEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS); // as vtkOpenGLPolyDataMapper does
+    }
+    std::optional<ScopedAlphaToCoverage> alphaToCoverage;
+    if (!actor->IsRenderingTranslucentPolygonalGeometry() && internals.Current->HasCoverage &&
+      IsMultisampled(internals.Window))
+    {
+      alphaToCoverage.emplace(state);
     }
     helper.VAO->Bind();
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);

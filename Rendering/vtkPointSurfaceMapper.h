@@ -98,7 +98,9 @@ public:
   /**
    * Samples along each side of a pixel, 1 to 4; default 1. The surface buffer is made that many
    * times finer and then averaged: smoother normals, and outlines that blend with what has been
-   * drawn before (so draw what lies behind first). The cost grows with the number of samples. A
+   * drawn before (so draw what lies behind first, or give the window multisamples: there outlines
+   * blend by the share of samples that they cover, whatever is drawn first, without supersampling
+   * too). The cost grows with the number of samples. A
    * value for which the viewport would be larger than a texture can be, or have more than 2^25
    * samples, is lowered, with a warning.
    */

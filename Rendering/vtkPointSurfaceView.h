@@ -35,7 +35,8 @@ struct vtkPointSurfaceView
   /// Of the image that the steps work on, in samples, which they call pixels: the viewport and a
   /// rim around it. VCDC is of the whole image too.
   std::array<int, 2> Size{};
-  int Supersampling = 1; ///< samples along each side of a pixel of the viewport
+  int Supersampling = 1;      ///< samples along each side of a pixel of the viewport
+  bool SmoothOutline = false; ///< whether the normals' length is to be a coverage without samples
   std::array<std::array<double, 4>, 6> ClippingPlanes{}; ///< in eye coordinates
   int NumberOfClippingPlanes = 0;
   int Cull = NoCulling;
@@ -110,7 +111,7 @@ struct vtkPointSurfaceView
   {
     return this->MCVC == other.MCVC && this->VCDC == other.VCDC && this->Normal == other.Normal &&
       this->Size == other.Size && this->Supersampling == other.Supersampling &&
-      this->ClippingPlanes == other.ClippingPlanes &&
+      this->SmoothOutline == other.SmoothOutline && this->ClippingPlanes == other.ClippingPlanes &&
       this->NumberOfClippingPlanes == other.NumberOfClippingPlanes && this->Cull == other.Cull &&
       this->Ranges == other.Ranges && this->RadiusScale == other.RadiusScale &&
       this->DataTime == other.DataTime && this->MapperTime == other.MapperTime;

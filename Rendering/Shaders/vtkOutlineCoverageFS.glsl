@@ -21,7 +21,8 @@ void main()
     covered += isBackground ? 0.0 : float(4 >> steps) / 16.0;
     isOutline = isOutline || (isBackground && steps == 1);
   }
-  OUT_SURFACE = isOutline ? vec4(covered * surface.xyz, surface.w) : surface;
+  vec3 normal = surface.w > 0.0 ? normalize(surface.xyz) : vec3(0.0);
+  OUT_SURFACE = vec4(isOutline ? covered * normal : normal, surface.w);
 #ifdef HAS_ID
   OUT_ID = texelFetch(inId, pixel, 0).r;
 #endif
