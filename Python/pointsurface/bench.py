@@ -7,6 +7,7 @@ measured is kept in results.json, so that a run that was stopped goes on where i
 """
 
 import csv
+import importlib.util
 import io
 import json
 import os
@@ -52,7 +53,11 @@ OURS = [name for name in METHODS if name != "algebraic-splats"]  # whose fit is 
 TWICE = "2x"  # after a method: with supersampling
 GAUSSIAN, POINTS, MESH = "vtkPointGaussianMapper", "points of OpenGL", "mesh"
 PEERS = (GAUSSIAN, POINTS)
-RENDERERS = [*OURS, *(f"{name} {TWICE}" for name in OURS), *PEERS, MESH]
+# The yardstick for errors, slow and plain: where Testing/Reference/ewa_splats.py can be imported.
+EWA = "EWA splats"
+YARDSTICKS = [EWA] if importlib.util.find_spec("ewa_splats") else []
+MOST_SPLATS = 1_000_000  # that the yardstick is asked for
+RENDERERS = [*OURS, *(f"{name} {TWICE}" for name in OURS), *PEERS, *YARDSTICKS, MESH]
 MEASURES = {  # name: heading, format, factor
     "psnr": ("PSNR, dB", "{:.2f}", 1),
     "ssim": ("SSIM", "{:.4f}", 1),
@@ -231,6 +236,8 @@ class Stage:
 
     def measure(self, name, truth):
         """Milliseconds of a frame, of the clock and of all threads, and the measures of its picture."""
+        if name == EWA:
+            return self._measure_ewa_splats(truth)
         mapper, unlit = self.make_mapper(name)
         self.actor.SetMapper(mapper)
         self.actor.SetProperty(vtkProperty())
@@ -251,6 +258,23 @@ class Stage:
         result["renderer"] = renderer_string(window)
         window.RemoveRenderer(self.renderer)
         return result
+
+    def _measure_ewa_splats(self, truth):
+        """The errors of the yardstick, whose time says nothing; None where there are too many points for it."""
+        if self.cloud.GetNumberOfPoints() > MOST_SPLATS:
+            return None
+        from ewa_splats import draw_ewa_splats
+
+        camera = self.renderer.GetActiveCamera()
+        matrix = camera.GetViewTransformMatrix()
+        view = np.array([[matrix.GetElement(row, column) for column in range(4)] for row in range(4)])
+        focal_length = self.size[1] / 2 / np.tan(np.radians(camera.GetViewAngle()) / 2)
+        data = self.cloud.GetPointData()
+        arrays = self.cloud.GetPoints().GetData(), data.GetNormals(), data.GetArray("radius")
+        normals, depth = draw_ewa_splats(*map(vtk_to_numpy, arrays), view, focal_length, self.size)
+        grey = np.where(depth > 0, np.abs(normals[..., 2]), BACKGROUND)  # by the headlight
+        image = SurfaceImage(np.repeat(grey[..., None], 3, axis=-1), normals, depth)
+        return {**compare(image, truth, self.mesh.GetLength()), "milliseconds": None, "processor_milliseconds": None}
 
     def _normals(self, mapper):
         if not hasattr(mapper, "ReadSurfaceBuffer"):
@@ -280,7 +304,8 @@ def measure_case(case):
     """The results of all renderers, by name."""
     stage = Stage(case)
     truth = stage.truth()
-    return {name: stage.measure(name, truth) for name in RENDERERS}
+    results = {name: stage.measure(name, truth) for name in RENDERERS}
+    return {name: result for name, result in results.items() if result}
 
 
 # ----------------------------------------------------------------------------------------------------------------------
@@ -340,8 +365,8 @@ def _measure_apart(case):
 
 # ----------------------------------------------------------------------------------------------------------------------
 def pareto(results):
-    """The names of the renderers that no other one beats in both milliseconds and PSNR; the mesh, the truth, is apart."""
-    names = [name for name in results if name != MESH]
+    """The names of the renderers that no other one beats in both milliseconds and PSNR; truth and yardstick are apart."""
+    names = [name for name in results if name not in (MESH, EWA)]
 
     def beats(a, b):
         a, b = results[a], results[b]
@@ -359,7 +384,7 @@ def exceptions(results):
         if not any(
             results[ours]["milliseconds"] <= results[peer]["milliseconds"] and results[ours]["psnr"] >= results[peer]["psnr"]
             for ours in results
-            if ours not in (*PEERS, MESH)
+            if ours not in (*PEERS, EWA, MESH)
         )
     ]
 
@@ -368,7 +393,8 @@ def _write_report(folder, measured):
     write_whole(os.path.join(folder, "results.csv"), _csv(measured).encode())
     write_whole(os.path.join(folder, "RESULTS.md"), _markdown(measured).encode())
     for case, results in measured:
-        series = {name: [(results[name]["milliseconds"], results[name]["psnr"])] for name in results if name != MESH}
+        drawn = [name for name in results if name not in (MESH, EWA)]
+        series = {name: [(results[name]["milliseconds"], results[name]["psnr"])] for name in drawn}
         front = sorted((results[name]["milliseconds"], results[name]["psnr"]) for name in pareto(results))
         name = str(case).replace(",", "").replace(" ", "-").replace(os.sep, "-")
         charts.write_scatter(
@@ -390,7 +416,8 @@ def _write_series(folder, measured, what, key, measure):
         return
     heading = {"milliseconds": "milliseconds a frame", "psnr": "PSNR, dB"}[measure]
     label = "points a pixel" if what == "density" else what
-    series = {name: sorted((x, results[name][measure]) for x, results in group.items()) for name in RENDERERS}
+    drawn = [name for name in RENDERERS if name != EWA]
+    series = {name: sorted((x, results[name][measure]) for x, results in group.items()) for name in drawn}
     path = os.path.join(folder, f"over-{what}.png")
     charts.write_scatter(path, scene, label, heading, series, logarithmic=measure == "milliseconds")
 
@@ -417,6 +444,8 @@ def _markdown(measured):
         "of OpenGL are 2 pixels large; both draw colours of points that were lit one by one. Truth: the mesh, 16 samples a",
         "pixel. A star stands at what none but the mesh beats in both time and PSNR.",
     ]
+    if YARDSTICKS:
+        lines += [f"{EWA} are the two-pass splatter of Testing/Reference, which is the yardstick of errors, not of time."]
     failing = []
     for case, results in measured:
         front = pareto(results)
@@ -425,7 +454,8 @@ def _markdown(measured):
         lines += ["", f"## {str(case)[0].upper()}{str(case)[1:]}", ""]
         lines += ["| " + " | ".join(headings) + " |", "| --- |" + " ---: |" * (len(headings) - 1)]
         for name, result in results.items():
-            cells = [f"{result[column]:.1f}" for column in ("milliseconds", "processor_milliseconds")]
+            times = (result[column] for column in ("milliseconds", "processor_milliseconds"))
+            cells = ["" if time is None else f"{time:.1f}" for time in times]
             for column, (_, layout, factor) in MEASURES.items():
                 cells.append("" if result[column] is None else layout.format(factor * result[column]))
             lines.append(f"| {name}{' *' if name in front else ''} | " + " | ".join(cells) + " |")
