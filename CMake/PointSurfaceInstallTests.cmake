@@ -17,6 +17,23 @@ add_test(NAME Installed-consumer
     --test-command consumer)
 set_tests_properties(Installed-consumer PROPERTIES FIXTURES_REQUIRED Installed)
 
+if (POINTSURFACE_PCL)
+  add_test(NAME Installed-examples
+    COMMAND "${CMAKE_CTEST_COMMAND}"
+      --build-and-test "${CMAKE_SOURCE_DIR}/Examples/Cxx" "${CMAKE_BINARY_DIR}/Testing/Examples"
+      --build-generator "${CMAKE_GENERATOR}"
+      --build-makeprogram "${CMAKE_MAKE_PROGRAM}"
+      --build-options "-DCMAKE_PREFIX_PATH=${install_prefix}" "-DCMAKE_BUILD_TYPE=$<CONFIG>"
+        "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}" "-DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS}")
+  set_tests_properties(Installed-examples PROPERTIES FIXTURES_REQUIRED Installed FIXTURES_SETUP Examples)
+endif ()
+if (POINTSURFACE_PCL AND POINTSURFACE_WRAP_PYTHON)
+  add_test(NAME Installed-pcl-visualizer
+    COMMAND "${Python3_EXECUTABLE}" "${CMAKE_SOURCE_DIR}/Testing/PCL/check_visualizer.py"
+      "${CMAKE_BINARY_DIR}/Testing/Examples/pcl_visualizer" "${POINTSURFACE_TEST_OUTPUT}")
+  set_tests_properties(Installed-pcl-visualizer PROPERTIES FIXTURES_REQUIRED "Installed;Examples")
+endif ()
+
 if (POINTSURFACE_WRAP_PYTHON)
   file(RELATIVE_PATH python_destination "${CMAKE_BINARY_DIR}" "${POINTSURFACE_PYTHONPATH}")
   add_test(NAME Installed-python

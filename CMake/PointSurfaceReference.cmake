@@ -19,6 +19,7 @@ set(DOXYGEN_MACRO_EXPANSION YES)
 set(DOXYGEN_EXPAND_ONLY_PREDEF YES)
 set(DOXYGEN_PREDEFINED
   "VTKPOINTSURFACE_EXPORT="
+  "VTKPOINTSURFACEPCL_EXPORT="
   "vtkTypeMacro(type,base)="
   "vtkSetMacro(name,type)=virtual void Set##name(type value)\;"
   "vtkGetMacro(name,type)=virtual type Get##name()\;"
@@ -32,6 +33,7 @@ set(DOXYGEN_PREDEFINED
   "vtkSetObjectMacro(name,type)=virtual void Set##name(type* value)\;"
   "vtkGetObjectMacro(name,type)=virtual type* Get##name()\;")
 doxygen_add_docs(PointSurfaceReference
-  "${CMAKE_SOURCE_DIR}/Module" "${CMAKE_SOURCE_DIR}/Rendering" "${CMAKE_SOURCE_DIR}/Python/pointsurface"
+  "${CMAKE_SOURCE_DIR}/Module" "${CMAKE_SOURCE_DIR}/Module/PCL" "${CMAKE_SOURCE_DIR}/Rendering"
+  "${CMAKE_SOURCE_DIR}/Python/pointsurface"
   "${CMAKE_SOURCE_DIR}/README.md"
   COMMENT "Making the reference in ${CMAKE_BINARY_DIR}/Reference/html")

@@ -24,9 +24,16 @@ string(REPLACE "PointSurface::" "VTK::" module "${module}")
 if (NOT module STREQUAL remote_module)
   message(FATAL_ERROR "PointSurface.module and vtk.module differ in more than the namespace: change both alike.")
 endif ()
+set(module_files "${CMAKE_CURRENT_SOURCE_DIR}/PointSurface.module")
+set(requested_modules PointSurface::PointSurface)
+include(PointSurfacePCL)
+if (POINTSURFACE_PCL)
+  list(APPEND module_files "${CMAKE_CURRENT_SOURCE_DIR}/Module/PCL/PointSurfacePCL.module")
+  list(APPEND requested_modules PointSurface::PointSurfacePCL)
+endif ()
 vtk_module_scan(
-  MODULE_FILES "${CMAKE_CURRENT_SOURCE_DIR}/PointSurface.module"
-  REQUEST_MODULES PointSurface::PointSurface
+  MODULE_FILES ${module_files}
+  REQUEST_MODULES ${requested_modules}
   PROVIDES_MODULES modules
   ENABLE_TESTS "${BUILD_TESTING}")
 
@@ -78,6 +85,9 @@ if (BUILD_TESTING)
   cmake_path(ABSOLUTE_PATH shared_data BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
   configure_file(CMake/PointSurfaceTestEnvironment.cmake.in TestEnvironment.cmake @ONLY)
   set_property(DIRECTORY PROPERTY TEST_INCLUDE_FILES "${CMAKE_CURRENT_BINARY_DIR}/TestEnvironment.cmake")
+  if (POINTSURFACE_PCL)
+    add_subdirectory(Testing/PCL)
+  endif ()
   if (POINTSURFACE_WRAP_PYTHON)
     add_subdirectory(Testing/Python)
   endif ()

@@ -5,7 +5,7 @@
 # shellcheck source=lib.sh
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-install_packages "${build_packages[@]}" -- mricron-data
+install_packages "${build_packages[@]}" -- "${optional_packages[@]}" mricron-data
 build
 PYTHONPATH=$build_dir/lib/python3/dist-packages \
   exec "$python" -m pointsurface demo --output "$build_dir/demo" "$@"

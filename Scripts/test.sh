@@ -4,6 +4,6 @@
 # shellcheck source=lib.sh
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-install_packages "${build_packages[@]}" python3-pytest python3-venv libx11-dev -- xvfb xauth xdotool
+install_packages "${build_packages[@]}" python3-pytest python3-venv libx11-dev -- "${optional_packages[@]}" xvfb xauth xdotool
 build
 exec ctest --test-dir "$build_dir" -j2 --output-on-failure "$@"

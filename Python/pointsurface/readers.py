@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Opens a user's file, whatever its format, as a volume or as points."""
 
+import importlib.util
 import os
 import re
 import subprocess
@@ -33,7 +34,7 @@ def read(path, tell=False):
     points, with normals, colours and polygons if the file has them: vtp, pvtp, ply, obj, stl, gltf, glb; of grids their
     points: vtu, pvtu, vts, pvts; of trees all blocks' points as one cloud, with the arrays that all have: vtm, vtmb;
     one or the other: vtk;
-    las, laz, e57: as the module scans tells;
+    las, laz, e57: as the module scans tells; pcd, where PointSurface was built with PCL: as vtkPCDReader tells;
     xyz (text, one point a line: x y z, or x y z nx ny nz, or x y z r g b with colours of 0 to 255; blanks or commas
     between the numbers; comments start with # or //); pts (text; behind a line with their number, one point a line:
     x y z, x y z intensity, x y z r g b or x y z intensity r g b).
@@ -62,6 +63,12 @@ def read(path, tell=False):
     return data
 
 
+def _pcd_reader():
+    from .vtkPointSurfacePCL import vtkPCDReader  # here, as PCL takes half a second to load
+
+    return vtkPCDReader()
+
+
 _READERS = {
     "vti": vtkXMLImageDataReader,
     "mhd": vtkMetaImageReader,
@@ -80,6 +87,7 @@ _READERS = {
     "gltf": vtkGLTFReader,
     "glb": vtkGLTFReader,
     "vtk": vtkGenericDataObjectReader,
+    "pcd": _pcd_reader,
     **dict.fromkeys(
         ("vtr", "vtu", "vts", "vtm", "vtmb", "pvti", "pvtp", "pvtu", "pvts"), vtkXMLGenericDataObjectReader
     ),
@@ -208,7 +216,14 @@ def _check_mrc(path):
 
 
 # What VTK's readers do not notice.
-_CHECKS = {"stl": _check_stl, "ply": _check_ply, "mrc": _check_mrc}
+def _check_pcd(path):
+    if importlib.util.find_spec(f"{__package__}.vtkPointSurfacePCL") is None:
+        raise UnreadableFile(
+            f"{path} needs PointSurface built with PCL: configure it with -DPOINTSURFACE_PCL=ON (Debian: libpcl-dev)"
+        )
+
+
+_CHECKS = {"stl": _check_stl, "ply": _check_ply, "mrc": _check_mrc, "pcd": _check_pcd}
 
 
 def _points_or_volume(path, data):
