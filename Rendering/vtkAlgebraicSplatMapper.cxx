@@ -15,19 +15,23 @@
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkTimeStamp.h"
 
 #include <array>
+#include <vector>
 
 class vtkAlgebraicSplatMapper::vtkInternals
 {
 public:
   vtkDrawableSplats Splats;
-  vtkMTimeType SplatsTime = 0; // of the points that they were built from
+  std::vector<vtkMTimeType> SplatsSource; // times of what they were built from
+  vtkTimeStamp SplatsTime;
   vtkAlgebraicSplatTracingOpenGL Tracing;
-  vtkMTimeType UploadedTime = 0; // the view's DataTime
-  bool UploadedColors = false;
+  vtkMTimeType UploadedTime = 0;       // of the splats that were uploaded
+  vtkMTimeType UploadedColorsTime = 0; // and of their colours
 };
 
 vtkStandardNewMacro(vtkAlgebraicSplatMapper);
@@ -47,6 +51,7 @@ void vtkAlgebraicSplatMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
   this->Internals->Tracing.ReleaseGraphicsResources(window);
   this->Internals->UploadedTime = 0;
+  this->Internals->UploadedColorsTime = 0;
 }
 
 void vtkAlgebraicSplatMapper::SetToPublished()
@@ -97,16 +102,35 @@ void vtkAlgebraicSplatMapper::GetReach(double& mean, double& largest) const
   largest = this->Internals->Splats.GetReach();
 }
 
+namespace
+{
+/// When what splats are made of last changed; times are unique.
+std::vector<vtkMTimeType> GetTimes(const vtkDrawablePoints& points)
+{
+  vtkPolyData* cloud = points.GetCloud();
+  std::vector<vtkMTimeType> times = { cloud->GetPoints()->GetData()->GetMTime(),
+    points.GetDrawnIdsTime(), static_cast<vtkMTimeType>(points.GetNumberOfDrawnPoints()) };
+  for (const char* name : { "SplatCoefficients", "SplatOrder", "SplatAxes", "radius" })
+  {
+    vtkDataArray* array = cloud->GetPointData()->GetArray(name);
+    times.push_back(array ? array->GetMTime() : 0);
+  }
+  return times;
+}
+}
+
 void vtkAlgebraicSplatMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::BuildBufferObjects(renderer, actor);
   vtkInternals& internals = *this->Internals;
   const vtkDrawablePoints& points = this->GetDrawablePoints();
-  if (internals.SplatsTime == points.GetBuildTime())
+  const std::vector<vtkMTimeType> source = GetTimes(points);
+  if (internals.SplatsSource == source)
   {
     return;
   }
-  internals.SplatsTime = points.GetBuildTime();
+  internals.SplatsSource = source;
+  internals.SplatsTime.Modified();
   const double* bounds = points.GetBounds();
   std::array<double, 3> middle;
   for (int k = 0; k < 3; ++k)
@@ -136,19 +160,22 @@ void vtkAlgebraicSplatMapper::MakeSurfaceBuffer(
   vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& surface)
 {
   vtkInternals& internals = *this->Internals;
-  const bool colors = surface.Has(vtkSurfaceTarget::Color);
-  if (internals.UploadedTime != view.DataTime || internals.UploadedColors != colors)
+  size_t bytes = 0;
+  const bool isNew = internals.UploadedTime != internals.SplatsTime.GetMTime();
+  if (isNew)
   {
-    vtkAlgebraicSplatTracingOpenGL::ColorSource color;
-    if (colors)
-    {
-      color = [this](unsigned int id) { return this->GetPointColor(id); };
-    }
-    this->LastFrameBytesUploaded +=
-      static_cast<vtkIdType>(internals.Tracing.Upload(window, internals.Splats, color));
-    internals.UploadedTime = view.DataTime;
-    internals.UploadedColors = colors;
+    bytes += internals.Tracing.Upload(window, internals.Splats);
+    internals.UploadedTime = internals.SplatsTime.GetMTime();
   }
+  if (surface.Has(vtkSurfaceTarget::Color) &&
+    (isNew || internals.UploadedColorsTime != this->GetPointColorsTime()))
+  {
+    bytes += internals.Tracing.UploadColors(
+      window, internals.Splats, [this](unsigned int id) { return this->GetPointColor(id); },
+      this->VBOs->GetNumberOfComponents("scalarColor") > 0);
+    internals.UploadedColorsTime = this->GetPointColorsTime();
+  }
+  this->LastFrameBytesUploaded += static_cast<vtkIdType>(bytes);
   internals.Tracing.Run(window, internals.Splats, view, this->GetOptions(), surface);
   this->LastFramePointsDrawn += view.GetNumberOfPoints();
   this->LastFramePasses = internals.Tracing.GetPasses();

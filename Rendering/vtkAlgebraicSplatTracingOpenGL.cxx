@@ -22,6 +22,7 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace
@@ -75,6 +76,8 @@ void vtkAlgebraicSplatTracingOpenGL::ReleaseGraphicsResources(vtkWindow* window)
   {
     group.Texels->ReleaseGraphicsResources(window);
     group.Buffer->ReleaseGraphicsResources();
+    group.Colors->ReleaseGraphicsResources(window);
+    group.ColorBuffer->ReleaseGraphicsResources();
     group.Ranges.clear();
   }
   for (vtkSurfaceTarget* target : { &this->Visible, &this->Sums, &this->Ids })
@@ -90,7 +93,7 @@ void vtkAlgebraicSplatTracingOpenGL::ReleaseGraphicsResources(vtkWindow* window)
 
 //------------------------------------------------------------------------------
 size_t vtkAlgebraicSplatTracingOpenGL::Upload(
-  vtkOpenGLRenderWindow* window, const vtkDrawableSplats& splats, const ColorSource& color)
+  vtkOpenGLRenderWindow* window, const vtkDrawableSplats& splats)
 {
   size_t bytes = 0;
   this->Origin = splats.GetOrigin();
@@ -98,7 +101,7 @@ size_t vtkAlgebraicSplatTracingOpenGL::Upload(
   {
     Group& group = this->Groups[order - 1];
     const std::vector<vtkDrawableSplats::Splat>& source = splats.GetSplats(order);
-    group.Stride = FrameTexels + GetCoefficientTexels(order) + (color ? 1 : 0);
+    group.Stride = FrameTexels + GetCoefficientTexels(order);
     group.Texels->ReleaseGraphicsResources(window);
     if (source.empty())
     {
@@ -120,17 +123,51 @@ size_t vtkAlgebraicSplatTracingOpenGL::Upload(
       std::copy_n(splat.Coefficients.data(), vtkAlgebraicSplat::GetNumberOfCoefficients(order),
         to + 4 * FrameTexels);
       to += 4 * group.Stride;
-      if (color)
-      {
-        const std::array<float, 4> rgba = color(splat.Id);
-        std::copy_n(rgba.data(), 4, to - 4);
-      }
     }
     bytes += texels.size() * sizeof(float);
     group.Buffer->Upload(texels, vtkOpenGLBufferObject::TextureBuffer);
     group.Texels->SetContext(window);
     group.Texels->CreateTextureBuffer(
       static_cast<unsigned int>(texels.size() / 4), 4, VTK_FLOAT, group.Buffer);
+  }
+  return bytes;
+}
+
+size_t vtkAlgebraicSplatTracingOpenGL::UploadColors(vtkOpenGLRenderWindow* window,
+  const vtkDrawableSplats& splats, const ColorSource& color, bool inBytes)
+{
+  size_t bytes = 0;
+  for (int order = 1; order <= vtkAlgebraicSplat::MaximumOrder; ++order)
+  {
+    Group& group = this->Groups[order - 1];
+    const std::vector<vtkDrawableSplats::Splat>& source = splats.GetSplats(order);
+    group.Colors->ReleaseGraphicsResources(window);
+    if (source.empty())
+    {
+      group.ColorBuffer->ReleaseGraphicsResources();
+      continue;
+    }
+    std::vector<float> floats;
+    for (const vtkDrawableSplats::Splat& splat : source)
+    {
+      const std::array<float, 4> rgba = color(splat.Id);
+      floats.insert(floats.end(), rgba.begin(), rgba.end());
+    }
+    if (inBytes)
+    {
+      std::vector<unsigned char> values(floats.size());
+      std::transform(floats.begin(), floats.end(), values.begin(),
+        [](float value) { return static_cast<unsigned char>(std::lround(255.0f * value)); });
+      group.ColorBuffer->Upload(values, vtkOpenGLBufferObject::TextureBuffer);
+    }
+    else
+    {
+      group.ColorBuffer->Upload(floats, vtkOpenGLBufferObject::TextureBuffer);
+    }
+    bytes += floats.size() * (inBytes ? 1 : sizeof(float));
+    group.Colors->SetContext(window);
+    group.Colors->CreateTextureBuffer(static_cast<unsigned int>(source.size()), 4,
+      inBytes ? VTK_UNSIGNED_CHAR : VTK_FLOAT, group.ColorBuffer);
   }
   return bytes;
 }
@@ -222,10 +259,20 @@ void vtkAlgebraicSplatTracingOpenGL::DrawSplats(vtkOpenGLRenderWindow* window,
     }
     group.Texels->Activate();
     program->SetUniformi("splats", group.Texels->GetTextureUnit());
+    const bool colored = target.Has(vtkSurfaceTarget::Color);
+    if (colored)
+    {
+      group.Colors->Activate();
+      program->SetUniformi("colors", group.Colors->GetTextureUnit());
+    }
     for (const auto& range : group.Ranges)
     {
       program->SetUniformi("first", static_cast<int>(range[0]));
       glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(range[1] - range[0]));
+    }
+    if (colored)
+    {
+      group.Colors->Deactivate();
     }
     group.Texels->Deactivate();
   }

@@ -5,7 +5,8 @@
  *
  * Splats lie in a texture buffer for each order, of 32-bit RGBA: centre and radius; normal and
  * least height; u and largest height; the id of the point, its lower and upper half, then 0, 0;
- * coefficients; the colour, where there are colours. Each splat is one instance of a rectangle.
+ * coefficients. Colours, where there are any, lie in a buffer of their own. Each splat is one
+ * instance of a rectangle.
  */
 #ifndef vtkAlgebraicSplatTracingOpenGL_h
 #define vtkAlgebraicSplatTracingOpenGL_h
@@ -43,16 +44,19 @@ public:
   vtkAlgebraicSplatTracingOpenGL();
   ~vtkAlgebraicSplatTracingOpenGL();
 
+  ///@{
   /**
-   * Takes the splats, and a colour for each if `color` tells that of a splat's point. Returns the
-   * number of bytes sent.
+   * Takes the splats; the colours of their points, in a byte for each component or a float. Returns
+   * the number of bytes sent.
    */
-  size_t Upload(
-    vtkOpenGLRenderWindow* window, const vtkDrawableSplats& splats, const ColorSource& color);
+  size_t Upload(vtkOpenGLRenderWindow* window, const vtkDrawableSplats& splats);
+  size_t UploadColors(vtkOpenGLRenderWindow* window, const vtkDrawableSplats& splats,
+    const ColorSource& color, bool inBytes);
+  ///@}
 
   /**
    * Fills `surface` within the view's rectangle from those of the uploaded splats that are in the
-   * view's ranges. It has the layer Color if and only if colours were uploaded.
+   * view's ranges. It has the layer Color only if their colours were uploaded.
    */
   void Run(vtkOpenGLRenderWindow* window, const vtkDrawableSplats& splats,
     const vtkPointSurfaceView& view, const vtkAlgebraicSplatOptions& options,
@@ -75,6 +79,8 @@ private:
     int Stride = 0;                               // texels a splat
     vtkNew<vtkOpenGLBufferObject> Buffer;
     vtkNew<vtkTextureObject> Texels;
+    vtkNew<vtkOpenGLBufferObject> ColorBuffer;
+    vtkNew<vtkTextureObject> Colors;
   };
 
   void DrawSplats(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,

@@ -14,6 +14,7 @@
 #include "vtkPointProjectionOptions.h"
 #include "vtkPointSurfaceCompat.h"
 #include "vtkPointSurfaceView.h"
+#include "vtkPointTexture.h"
 #include "vtkPointThinning.h"
 #include "vtkResolveCPU.h"
 #include "vtkResolveOpenGL.h"
@@ -52,6 +53,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 #include "vtkSurfaceBufferVS.h"
+#include "vtkTexture.h"
 #include "vtkTextureObject.h"
 #include "vtkTimeStamp.h"
 #include "vtkTimerLog.h"
@@ -116,6 +118,8 @@ public:
   vtkTimeStamp FrameTime;                  // the start of the last one
   vtkMTimeType ColorTableTime = 0;         // of the colour table that was uploaded
   std::map<std::string, vtkKeptArray> StandIns;
+  bool TextureAtPoints = false; // the actor's texture is multiplied onto colours of points
+  vtkKeptArray TexturedColors;
   vtkOpenGLRenderTimer Timers[NumberOfStages];
   double ClockMilliseconds[NumberOfStages] = { 0.0, 0.0, 0.0 }; // of stages without OpenGL
 
@@ -336,10 +340,49 @@ void vtkPointSurfaceMapper::ComputeBounds()
 }
 
 //------------------------------------------------------------------------------
+int vtkPointSurfaceMapper::CanUseTextureMapForColoring(vtkDataObject* input)
+{
+  return this->Internals->TextureAtPoints ? 0
+                                          : this->Superclass::CanUseTextureMapForColoring(input);
+}
+
+bool vtkPointSurfaceMapper::GetNeedToRebuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkImageData* image = this->GetTextureOfPoints(actor);
+  const bool changed =
+    image && this->VBOBuildTime < std::max(image->GetMTime(), actor->GetTexture()->GetMTime());
+  return changed || (image != nullptr) != this->Internals->TextureAtPoints ||
+    this->Superclass::GetNeedToRebuildBufferObjects(renderer, actor);
+}
+
+vtkImageData* vtkPointSurfaceMapper::GetTextureOfPoints(vtkActor* actor)
+{
+  vtkTexture* texture = actor->GetTexture();
+  vtkDataArray* coordinates = this->CurrentInput->GetPointData()->GetTCoords();
+  const bool has = texture && !texture->GetCubeMap() && coordinates &&
+    coordinates->GetNumberOfTuples() >= this->CurrentInput->GetNumberOfPoints();
+  return has ? texture->GetInput() : nullptr;
+}
+
+std::vector<std::pair<vtkTexture*, std::string>> vtkPointSurfaceMapper::GetTextures(vtkActor* actor)
+{
+  // without coordinates VTK's shaders would not compile
+  auto textures = this->Superclass::GetTextures(actor);
+  if (this->VBOs->GetNumberOfComponents("tcoord") == 0)
+  {
+    textures.erase(std::remove_if(textures.begin(), textures.end(),
+                     [this](const std::pair<vtkTexture*, std::string>& texture)
+                     { return texture.first != this->InternalColorTexture; }),
+      textures.end());
+  }
+  return textures;
+}
+
 void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
 {
   // As vtkOpenGLPolyDataMapper does it, less all that is about cells, plus radii.
   const vtkDrawablePoints& points = this->Internals->Points;
+  this->Internals->TextureAtPoints = this->GetTextureOfPoints(actor) != nullptr;
   vtkDataArray* colors = this->GetPointColors(actor);
   if (this->ColorTextureMap)
   {
@@ -368,10 +411,20 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
   vtkDataArray* tcoords = colors || coordinates
     ? nullptr
     : this->RequireTuples(cloud->GetPointData()->GetTCoords(), "texture coordinates");
-  if (!tcoords && actor->GetTexture() && cloud->GetPointData()->GetTCoords())
+  if (colors && this->Internals->TextureAtPoints)
   {
-    this->WarnOnce("The points have colours, so the actor's texture is not drawn; turn colours off "
-                   "(ScalarVisibilityOff) to see it.");
+    vtkSmartPointer<vtkDataArray> textured =
+      vtkPointTexture::Multiply(vtkArrayDownCast<vtkUnsignedCharArray>(colors),
+        cloud->GetPointData()->GetTCoords(), actor->GetTexture());
+    colors = textured ? this->Internals->TexturedColors.Keep(textured) : colors;
+  }
+  if (!tcoords && !actor->GetProperty()->GetAllTextures().empty())
+  {
+    this->WarnOnce("The textures of the actor's property are not drawn, since the points have " +
+      std::string(colors || coordinates
+          ? "colours, which take the place of their texture coordinates; turn colours off "
+            "(ScalarVisibilityOff) to see them."
+          : "no texture coordinates; give them one for each point (vtkPointData::SetTCoords)."));
   }
   if (!this->ExtraAttributes.empty())
   {
@@ -1216,6 +1269,11 @@ const vtkDrawablePoints& vtkPointSurfaceMapper::GetDrawablePoints() const
 std::array<float, 4> vtkPointSurfaceMapper::GetPointColor(vtkIdType id) const
 {
   return this->Internals->ProjectionCPU.GetColor(static_cast<size_t>(id));
+}
+
+vtkMTimeType vtkPointSurfaceMapper::GetPointColorsTime() const
+{
+  return this->Internals->ProjectionCPU.GetColorsTime();
 }
 
 vtkOpenGLRenderWindow* vtkPointSurfaceMapper::GetLastWindow() const

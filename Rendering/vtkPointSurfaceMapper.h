@@ -242,10 +242,12 @@ protected:
 
   ///@{
   /**
-   * The points of the frame, and the colour or texture coordinates that are carried for one.
+   * The points of the frame, the colour or texture coordinates that are carried for one, and when
+   * these last changed.
    */
   const vtkDrawablePoints& GetDrawablePoints() const;
   std::array<float, 4> GetPointColor(vtkIdType id) const;
+  vtkMTimeType GetPointColorsTime() const;
   ///@}
 
   /**
@@ -349,6 +351,9 @@ protected:
   void AddArrayNames(std::vector<std::string>& names) override;
   void ComputeBounds() override;
   void UpdateCameraShiftScale(vtkRenderer* renderer, vtkActor* actor) override;
+  int CanUseTextureMapForColoring(vtkDataObject* input) override;
+  bool GetNeedToRebuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
+  std::vector<std::pair<vtkTexture*, std::string>> GetTextures(vtkActor* actor) override;
   void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
   void BuildIBO(vtkRenderer*, vtkActor*, vtkPolyData*) override {}
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
@@ -392,6 +397,8 @@ private:
   void UpdateDrawablePoints();
   // The array if it has a tuple for each point; else nullptr, with a warning.
   vtkDataArray* RequireTuples(vtkDataArray* array, const char* what);
+  // The image of the actor's texture if points have coordinates of it, else nullptr.
+  vtkImageData* GetTextureOfPoints(vtkActor* actor);
   // Normals for the buffers; where there are none, one that stands in for them.
   vtkSmartPointer<vtkDataArray> GetNormals();
   // By the components of its buffers VTK knows what its shaders have to do; where nothing but that

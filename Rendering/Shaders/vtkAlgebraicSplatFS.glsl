@@ -3,6 +3,9 @@
 // the depth that is visible, in the second for what is blended there, in the third, which selection
 // alone has, for the splat of the largest weight (section 3.2).
 uniform samplerBuffer splats;
+#ifdef OUT_COLOR
+uniform samplerBuffer colors;
+#endif
 uniform vec4 eyeRay;     // xy: the ray's direction through the pixel (0, 0); zw: its origin
 uniform vec4 eyeRayStep; // change of these a pixel
 uniform float shear;     // in a sheared picture eye x is less than by these by that times y
@@ -20,6 +23,7 @@ flat in vec3 toN;
 flat in vec2 heights;
 flat in float unit;
 flat in int firstTexel;
+flat in int splat;
 
 const int FirstCoefficient = 4; // texel of a splat
 const int Coefficients = (ORDER + 1) * (ORDER + 2) / 2;
@@ -168,7 +172,7 @@ void main()
   OUT_SUM = weight * vec4(normal, depth);
   OUT_WEIGHT = vec4(weight, 0.0, 0.0, 0.0);
 #ifdef OUT_COLOR
-  OUT_COLOR = weight * texelFetch(splats, firstTexel + FirstCoefficient + (Coefficients + 3) / 4);
+  OUT_COLOR = weight * texelFetch(colors, splat);
 #endif
 #endif
 #endif

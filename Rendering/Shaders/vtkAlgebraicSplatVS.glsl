@@ -17,10 +17,12 @@ flat out vec3 toN;
 flat out vec2 heights;
 flat out float unit;   // of depth along the ray, of the size of the disc
 flat out int firstTexel;
+flat out int splat;
 
 void main()
 {
-  firstTexel = (first + gl_InstanceID) * stride;
+  splat = first + gl_InstanceID;
+  firstTexel = splat * stride;
   vec4 place = texelFetch(splats, firstTexel);
   vec4 across = texelFetch(splats, firstTexel + 1);
   vec4 along = texelFetch(splats, firstTexel + 2);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Selection and picking of sparse clouds, most of whose pixels no point falls on: each pixel that
-// shows a surface gives a point within a radius of the surface there (farther along the ray at
-// outlines, where a pixel's surface recedes), its block, prop and process; pickers give the prop
-// and a place on the surface. Truth: the spheres that the clouds stand for.
+// shows a surface gives a point of the sheet that is seen there, not of one before or behind it,
+// and mostly within a radius of the place; its block, prop and process; pickers give the prop and a
+// place on the surface. Truth: the spheres and planes that the clouds stand for, and the colour
+// that each sheet has.
 
 #include "PointSurfaceTestMappers.h"
 #include "PointSurfaceTestUtilities.h"
@@ -27,7 +28,9 @@
 #include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 using namespace PointSurfaceTest;
@@ -340,6 +343,158 @@ void CheckCells(Scene& scene)
   check(wrong == 0, scene.Name + "cells are those of the points: " + std::to_string(wrong));
 }
 
+struct Sheet
+{
+  double Center[3];
+  double Half;  ///< of its width and height
+  double Slope; ///< of z along x
+};
+
+constexpr int NumberOfSheets = 3; // and a ball
+constexpr Sheet Sheets[NumberOfSheets] = { { { 0.0, 0.0, -2.0 }, 2.6, 0.0 },
+  { { 0.9, 0.5, 0.3 }, 0.8, 0.7 }, { { -1.2, -0.9, -0.8 }, 0.9, -0.4 } };
+constexpr unsigned char Colors[NumberOfSheets + 1][3] = { { 255, 0, 0 }, { 0, 255, 0 },
+  { 0, 0, 255 }, { 255, 255, 0 } };
+
+void AddPoint(vtkPolyData* cloud, const double x[3], const double normal[3], double radius,
+  const unsigned char color[3])
+{
+  cloud->GetPoints()->InsertNextPoint(x);
+  cloud->GetPointData()->GetNormals()->InsertNextTuple(normal);
+  cloud->GetPointData()->GetArray("radius")->InsertNextTuple1(radius);
+  cloud->GetPointData()->GetScalars()->InsertNextTuple3(color[0], color[1], color[2]);
+}
+
+/// One cloud of a ball, its back as well as its front, and sheets, one behind the other, each of a
+/// colour.
+vtkSmartPointer<vtkPolyData> MakeSheets(double spacing)
+{
+  auto cloud = vtkSmartPointer<vtkPolyData>::New();
+  cloud->SetPoints(vtkNew<vtkPoints>());
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  cloud->GetPointData()->SetNormals(normals);
+  vtkNew<vtkFloatArray> radii;
+  radii->SetName("radius");
+  cloud->GetPointData()->AddArray(radii);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("sheet");
+  colors->SetNumberOfComponents(3);
+  cloud->GetPointData()->SetScalars(colors);
+
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(5);
+  auto shake = [&](double place)
+  {
+    random->Next();
+    return place + spacing * (random->GetValue() - 0.5);
+  };
+  for (int i = 0; i < NumberOfSheets; ++i)
+  {
+    const Sheet& sheet = Sheets[i];
+    double normal[3] = { -sheet.Slope, 0.0, 1.0 };
+    vtkMath::Normalize(normal);
+    for (double y = -sheet.Half; y <= sheet.Half; y += spacing)
+    {
+      for (double x = -sheet.Half; x <= sheet.Half; x += spacing)
+      {
+        const double u = shake(x);
+        const double place[3] = { sheet.Center[0] + u, sheet.Center[1] + shake(y),
+          sheet.Center[2] + sheet.Slope * u };
+        AddPoint(cloud, place, normal, 1.5 * spacing, Colors[i]);
+      }
+    }
+  }
+  auto ball = MakeSphereCloud(static_cast<int>(4.0 * vtkMath::Pi() / (spacing * spacing)));
+  for (vtkIdType i = 0; i < ball->GetNumberOfPoints(); ++i)
+  {
+    double n[3];
+    ball->GetPoint(i, n);
+    const double place[3] = { 0.8 * n[0] - 0.3, 0.8 * n[1] + 0.6, 0.8 * n[2] };
+    AddPoint(cloud, place, n, 1.2 * spacing, Colors[NumberOfSheets]);
+  }
+  return cloud;
+}
+
+/// A pixel names a point of what it shows.
+void CheckSheets(const MapperClass& mapperClass, int backend)
+{
+  const std::string name =
+    mapperClass.Name + (backend == vtkPointSurfaceMapper::CPU ? ", CPU: " : ", OpenGL: ");
+  auto cloud = MakeSheets(mapperClass.FillsSmallGaps ? 0.035 : 0.07);
+  auto mapper = mapperClass.Make();
+  mapper->SetBackend(backend);
+  mapper->SetInputData(mapperClass.MakeInput(cloud));
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(Size, Size);
+  window->AddRenderer(renderer);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(0.5, 0.3, 10.0);
+  camera->SetViewAngle(27.0);
+  renderer->ResetCameraClippingRange();
+  window->Render();
+  vtkNew<vtkUnsignedCharArray> picture;
+  window->GetPixelData(0, 0, Size - 1, Size - 1, 0, picture);
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(renderer);
+  selector->SetArea(0, 0, Size - 1, Size - 1);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  selector->CaptureBuffers();
+
+  std::array<int, NumberOfSheets + 1> seen{};
+  int pure = 0;
+  int wrong = 0;
+  int unlikely = 0; // where colours are blended, those that name a sheet with no part in it
+  int ofBack = 0;
+  for (unsigned int pixel = 0; pixel < Size * Size; ++pixel)
+  {
+    const unsigned int position[2] = { pixel % Size, pixel / Size };
+    const unsigned char* shown = picture->GetPointer(3 * pixel);
+    const auto info = selector->GetPixelInformation(position);
+    if (!info.Valid)
+    {
+      continue;
+    }
+    const double* own = cloud->GetPointData()->GetScalars()->GetTuple(info.AttributeID);
+    auto isOwn = [&](const unsigned char* color) { return std::equal(own, own + 3, color); };
+    const auto sheet = std::find_if(std::begin(Colors), std::end(Colors), isOwn) - Colors;
+    ++seen[sheet];
+    if (std::any_of(std::begin(Colors), std::end(Colors),
+          [&](const unsigned char* color) { return std::equal(shown, shown + 3, color); }))
+    {
+      ++pure;
+      wrong += !isOwn(shown);
+    }
+    else
+    {
+      unlikely += (own[0] == 0.0 || shown[0] == 0) && (own[1] == 0.0 || shown[1] == 0) &&
+        (own[2] == 0.0 || shown[2] == 0);
+    }
+    if (sheet == NumberOfSheets)
+    {
+      double toEye[3];
+      vtkMath::Subtract(camera->GetPosition(), cloud->GetPoint(info.AttributeID), toEye);
+      vtkMath::Normalize(toEye);
+      double normal[3];
+      cloud->GetPointData()->GetNormals()->GetTuple(info.AttributeID, normal);
+      ofBack += vtkMath::Dot(normal, toEye) < -0.35; // a point's disc reaches over the outline
+    }
+  }
+  check(*std::min_element(seen.begin(), seen.end()) > 2000, name + "each sheet is seen");
+  check.AtLeast(pure, 60000, name + "pixels that show one sheet");
+  check(wrong == 0, name + "name a point of another sheet: " + std::to_string(wrong));
+  check(unlikely == 0, name + "name a sheet that is not there: " + std::to_string(unlikely));
+  check(ofBack == 0, name + "name a point of the ball's back: " + std::to_string(ofBack));
+}
+
 void CheckMapper(const MapperClass& mapperClass, int backend)
 {
   Scene scene(mapperClass, backend);
@@ -368,6 +523,7 @@ int TestSelection(int, char*[])
   {
     for (int backend : { vtkPointSurfaceMapper::OpenGL, vtkPointSurfaceMapper::CPU })
     {
+      CheckSheets(mapperClass, backend);
       CheckMapper(mapperClass, backend);
     }
   }

@@ -19,6 +19,7 @@ from scenes import (
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData
+from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkTexture
 
@@ -155,9 +156,35 @@ def checkers():
     return texture
 
 
-def textured(scene):
+def wrapped_floats():
+    """Grey values that a table maps, mirrored beyond the unit square, turned and scaled."""
+    y, x = np.indices((48, 64))
+    image = vtkImageData()
+    image.SetDimensions(64, 48, 1)
+    image.GetPointData().SetScalars(array((np.sin(x / 8) + np.cos(y / 6)).ravel()))
+    lookup_table = table()
+    lookup_table.SetTableRange(-2, 2)
+    texture = vtkTexture()
+    texture.SetInputData(image)
+    texture.SetLookupTable(lookup_table)
+    texture.InterpolateOn()
+    texture.SetWrap(vtkTexture.MirroredRepeat)
+    transform = vtkTransform()
+    transform.RotateZ(30)
+    transform.Scale(2, 1.5, 1)
+    texture.SetTransform(transform)
+    return texture
+
+
+def textured(scene, texture=None):
     data_of(scene).SetTCoords(array(0.5 + 0.35 * positions(scene)[:, :2], "tcoords"))
-    scene.actor.SetTexture(checkers())
+    scene.actor.SetTexture(texture or checkers())
+
+
+def textured_and_interpolated(scene):
+    """Of a mesh VTK 9.1 looks the texture up at the scalars' place in the table, so that one is not interpolated."""
+    (use_scalars if scene.is_mesh else interpolated)(scene)
+    textured(scene)
 
 
 def replaced(scene):
@@ -189,9 +216,22 @@ CASES = {
     "of cells": of_cells,
     "field data": of_field_data,
     "texture": textured,
+    "texture under colours": lambda s: (use_scalars(s), textured(s)),
+    "texture under interpolated colours": textured_and_interpolated,
+    "texture of floats under RGBA": lambda s: (direct(4, np.uint8)(s), textured(s, wrapped_floats())),
     "shader replacement": replaced,
 }
-SHARP = {"NaN": 6, "beyond the range": 5, "texture": 6, "lookup table": 3.5, "by name": 3.5, "by component": 3.5, "of cells": 4}
+SHARP = {
+    "NaN": 6,
+    "beyond the range": 5,
+    "texture": 6,
+    "texture under colours": 6,
+    "texture under interpolated colours": 6,
+    "lookup table": 3.5,
+    "by name": 3.5,
+    "by component": 3.5,
+    "of cells": 4,
+}
 
 
 @pytest.mark.parametrize("mapper_class, backend, name", variants(CASES))
@@ -228,15 +268,45 @@ def test_colour_bar(mapper_class):
     assert_baseline(cloud.window, f"Colors-{mapper_class.__name__}")
 
 
+def test_a_texture_that_changes():
+    """The texture under colours is looked up anew when its image does, and is gone when the actor has none."""
+    scene, _ = cloud_and_mesh(MAPPERS[0], lambda s: (use_scalars(s), textured(s)))
+    first = scene.color()
+    bytes_of_image = vtk_to_numpy(scene.actor.GetTexture().GetInput().GetPointData().GetScalars())
+    bytes_of_image[:] = bytes_of_image // 2
+    scene.actor.GetTexture().GetInput().Modified()
+    second = scene.color()
+    assert difference(first, second) > 5
+    scene.actor.SetTexture(None)
+    colored = cloud_and_mesh(MAPPERS[0], use_scalars)[0].color()
+    assert np.array_equal(scene.color(), colored)
+
+
 @pytest.mark.parametrize("mapper_class", MAPPERS)
-def test_a_texture_beside_colours_is_warned_of(mapper_class):
-    scene, _ = cloud_and_mesh(mapper_class, lambda s: (textured(s), use_scalars(s)))
+@pytest.mark.parametrize("lack", ["colours", "coordinates"])
+def test_textures_of_the_property_that_cannot_be_drawn_are_warned_of(mapper_class, lack):
+    """They are material, not colour: a pixel has room for colours or for their coordinates."""
+
+    def material(scene, texture=None):
+        scene.actor.GetProperty().SetInterpolationToPBR()
+        scene.actor.GetProperty().SetBaseColorTexture(texture)
+        if lack == "colours":
+            use_scalars(scene)
+
+    texture = checkers()
+    texture.UseSRGBColorSpaceOn()
+    scene = Scene(mapper_class, torus_cloud())
+    if lack == "colours":
+        textured(scene)
+        scene.actor.SetTexture(None)
+    material(scene, texture)
     warnings = []
     scene.mapper.AddObserver("WarningEvent", lambda *_: warnings.append(1))
     picture = scene.color()
     assert len(warnings) == 1
-    colored = cloud_and_mesh(mapper_class, use_scalars)[0].color()
-    assert difference(picture, colored) < 0.1
+    plain = Scene(mapper_class, torus_cloud())
+    material(plain)
+    assert difference(picture, plain.color()) < 0.1
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
