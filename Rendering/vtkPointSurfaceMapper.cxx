@@ -256,10 +256,7 @@ void vtkPointSurfaceMapper::UpdateCameraShiftScale(vtkRenderer* renderer, vtkAct
   this->Superclass::UpdateCameraShiftScale(renderer, actor);
 }
 
-namespace
-{
-/// Whether OpenGL is run by the processor.
-bool IsSoftwareRasterizer()
+bool vtkPointSurfaceMapper::IsSoftwareRasterizer()
 {
   const auto* text = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   const std::string name = text ? text : "";
@@ -274,11 +271,13 @@ bool IsSoftwareRasterizer()
   return false;
 }
 
+namespace
+{
 /// Lets nothing be queued together with a query of the time. Software works through its queue tile
 /// by tile, takes the time in each tile anew, and tells that of the last one.
 void FlushQuery()
 {
-  if (IsSoftwareRasterizer())
+  if (vtkPointSurfaceMapper::IsSoftwareRasterizer())
   {
     glFlush();
   }

@@ -199,6 +199,12 @@ public:
   vtkBooleanMacro(RecordPointIds, bool);
   ///@}
 
+  /**
+   * Whether OpenGL is run by the processor, as far as the name of the current context's renderer
+   * tells. False without a context.
+   */
+  static bool IsSoftwareRasterizer();
+
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:

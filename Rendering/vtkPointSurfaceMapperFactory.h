@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPointSurfaceMapperFactory
+ * @brief   picks the mapper that measures best for a cloud
+ *
+ * The rules, the first that applies; what they rest on is in Testing/Benchmarks:
+ *
+ * 1. Points that are splats of vtkAlgebraicSplats: vtkAlgebraicSplatMapper, which alone traces
+ *    them.
+ * 2. Points without normals: vtkDirectPointMapper, which needs none. On a noisy scan of a million
+ *    points it is at the first frame before normals are estimated, with a smaller error than with
+ *    these (direct.md).
+ * 3. Points with normals, where the surface is made by the processor (see BackendType of
+ *    vtkPointSurfaceMapper): vtkSurfaceSplatMapper. Its error is the least at every density that
+ *    was measured, for a fifth more time than vtkPullPushMapper's with few points a pixel, and less
+ *    with many (RESULTS.md).
+ * 4. Where it is made by OpenGL: vtkPullPushMapper, since splats overlap many times.
+ *
+ * Densities that vary: where an array "radius" says that the largest is over 10 times (rule 2) or
+ * over 50 times (rule 3) the smallest, it is vtkPullPushMapper, which takes 1000 to 1. There is no
+ * rule for points a pixel: both mappers of clouds with normals leave out or average those that a
+ * pixel cannot tell apart.
+ *
+ * @sa vtkPointSurfaceMapper
+ */
+#ifndef vtkPointSurfaceMapperFactory_h
+#define vtkPointSurfaceMapperFactory_h
+
+#include "vtkObject.h"
+#include "vtkPointSurfaceMapper.h" // for BackendType
+#include "vtkPointSurfaceModule.h" // for export macro
+#include "vtkWrappingHints.h"      // for VTK_NEWINSTANCE
+
+class vtkDataObject;
+
+class VTKPOINTSURFACE_EXPORT vtkPointSurfaceMapperFactory : public vtkObject
+{
+public:
+  static vtkPointSurfaceMapperFactory* New();
+  vtkTypeMacro(vtkPointSurfaceMapperFactory, vtkObject);
+
+  /**
+   * A new mapper for `cloud`, a vtkPointSet or a tree of them, which is not made its input: the
+   * caller's to set up and to delete. `backend` is a BackendType of vtkPointSurfaceMapper, and is
+   * set on the mapper. With Automatic (the default) a window of vtkRenderWindow::New() is opened
+   * off screen, for some milliseconds, to see what runs OpenGL. A cloud that is null or has no
+   * points is taken for one without normals.
+   */
+  static VTK_NEWINSTANCE vtkPointSurfaceMapper* NewMapper(
+    vtkDataObject* cloud, int backend = vtkPointSurfaceMapper::Automatic);
+
+protected:
+  vtkPointSurfaceMapperFactory() = default;
+  ~vtkPointSurfaceMapperFactory() override = default;
+
+private:
+  vtkPointSurfaceMapperFactory(const vtkPointSurfaceMapperFactory&) = delete;
+  void operator=(const vtkPointSurfaceMapperFactory&) = delete;
+};
+
+#endif
