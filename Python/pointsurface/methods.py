@@ -6,6 +6,7 @@ from . import (
     vtkAlgebraicSplats,
     vtkDirectPointMapper,
     vtkImageSpacePointMapper,
+    vtkPointSurfaceMapperFactory,
     vtkPullPushMapper,
     vtkSurfaceSplatMapper,
 )
@@ -17,6 +18,17 @@ METHODS = {
     "direct": vtkDirectPointMapper,
     "algebraic-splats": vtkAlgebraicSplatMapper,
 }
+
+
+AUTO = "auto"
+
+
+def chosen(method, cloud):
+    """A key of METHODS: `method`, or if that is AUTO what vtkPointSurfaceMapperFactory picks for a vtkDataObject."""
+    if method != AUTO:
+        return method
+    mapper = vtkPointSurfaceMapperFactory.NewMapper(cloud)
+    return next(name for name, mapper_class in METHODS.items() if isinstance(mapper, mapper_class))
 
 
 def needs_splats(method, cloud):

@@ -6,7 +6,7 @@ import json
 import math
 
 from .colors import COLOR_MAPS, color_map, parse_color
-from .methods import METHODS
+from .methods import AUTO, METHODS
 from .passes import PASSES
 from .scene import VIEWS
 
@@ -28,7 +28,10 @@ def add_size(parser):
 def add_scene(parser):
     """How the points are drawn: see scene.make()."""
     surface = parser.add_argument_group("the surface")
-    surface.add_argument("--method", choices=METHODS, default="pull-push", help="default: %(default)s")
+    surface.add_argument(
+        "--method", choices=(*METHODS, AUTO), default="pull-push",
+        help="how it is made of the points; auto: by what measures best for such points here. Default: %(default)s",
+    )  # fmt: skip
     surface.add_argument("--radius", type=positive, metavar="R", help="of all points, in the units of the file")
     surface.add_argument("--radius-scale", type=positive, metavar="S", help="factor on all radii; default: 1")
     surface.add_argument("--supersampling", type=int, choices=range(1, 5), default=1, help="default: %(default)s")

@@ -19,7 +19,7 @@ import numpy as np
 import pyvista as pv
 
 from . import vtkIsosurfacePoints, vtkPointNormals, vtkPointSpacing
-from .methods import METHODS, needs_splats, splat_filter
+from .methods import AUTO, METHODS, chosen, needs_splats, splat_filter
 
 
 def add_point_surface(
@@ -44,8 +44,9 @@ def add_point_surface(
         displayed is told by ``actor.mapper.GetCompositeDataDisplayAttributes()``, which is indexed by block as
         PyVista's ``mapper.block_attr`` is.
     method : str, default: "pull-push"
-        How the surface is made: a key of ``pointsurface.methods.METHODS``. For ``"algebraic-splats"``, splats are
-        fitted to points that are none.
+        How the surface is made: a key of ``pointsurface.methods.METHODS``, or ``"auto"`` for the one that measures best
+        for such a cloud here (``vtkPointSurfaceMapperFactory``). For ``"algebraic-splats"``, splats are fitted to
+        points that are none.
     radius : float or str, optional
         The radius of all points in the units of their coordinates, or the name of a point array. Default: the array
         ``"radius"`` if there is one, else an estimate.
@@ -61,6 +62,11 @@ def add_point_surface(
     -------
     pyvista.Actor
         The actor; its mapper is the one named by ``method``.
+
+    Notes
+    -----
+    ``plotter.enable_point_picking(picker="hardware")`` finds points, as of any cloud, if it looks for no faces:
+    ``plotter.iren.picker.SetSnapToMeshPoint(True)``.
 
     Raises
     ------
@@ -79,11 +85,12 @@ def add_point_surface(
     >>> actor.mapper.GetClassName()
     'vtkPullPushMapper'
     """
-    if method not in METHODS:
-        raise ValueError(f"there is no method {method!r}; use one of {', '.join(METHODS)}")
+    if method not in (*METHODS, AUTO):
+        raise ValueError(f"there is no method {method!r}; use one of {', '.join((*METHODS, AUTO))}")
     cloud = pv.wrap(cloud)
     if not any(block.n_points for block in _blocks(cloud)):
         raise ValueError("the cloud has no points")
+    method = chosen(method, cloud)
     mapper = METHODS[method]()
     if isinstance(radius, str):
         for block in _blocks(cloud):

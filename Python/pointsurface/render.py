@@ -37,6 +37,7 @@ def run(arguments):
     subject = load(arguments.file, arguments.isovalue)
     if subject.remark:
         announce(subject.remark)
+    arguments.method = scene.choose_method(subject, arguments.method)
     renderer = scene.make(subject, arguments)
     mapper = renderer.GetActors().GetLastActor().GetMapper()
     window = scene.window_without_screen(renderer, arguments.size)

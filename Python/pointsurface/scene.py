@@ -13,7 +13,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkRenderer
 from . import passes
 from .colors import color_map
 from .errors import CannotRender, WrongUse, complaints
-from .methods import METHODS, needs_splats, splat_filter
+from .methods import AUTO, METHODS, chosen, needs_splats, splat_filter
 from .progress import announce, followed
 from .rendering import offscreen_window
 from .subjects import ISOSURFACE_RADIUS_SCALE
@@ -31,8 +31,15 @@ VIEWS = {
 KEY_AND_FILL = ((-31, 31, 0.8), (27, -10, 0.3))  # azimuth and elevation in degrees, intensity
 
 
+def choose_method(subject, method):
+    """A key of METHODS: `method`, or what is picked for the subject if that is AUTO. Raises CannotRender."""
+    if method == AUTO:
+        window_without_screen(vtkRenderer(), (1, 1))  # raises; what the factory asks needs OpenGL
+    return chosen(method, subject.points)
+
+
 def make(subject, arguments):
-    """The renderer of a subject as options.add_scene() has it asked for. Raises WrongUse."""
+    """The renderer of a subject as options.add_scene() has it asked for, of a method that is chosen. Raises WrongUse."""
     renderer = make_scene(subject, make_mapper(subject, arguments), arguments.light or KEY_AND_FILL)
     if arguments.color:
         renderer.GetActors().GetLastActor().GetProperty().SetColor(arguments.color)
@@ -170,8 +177,14 @@ def clip(mapper, subject, planes):
 def window_without_screen(renderer, size):
     """As offscreen_window(), but raises CannotRender where there is no OpenGL."""
     check_display(needed=False)
-    with complaints():  # VTK tells of each way that it has tried
+    with complaints() as said:  # VTK tells of each way that it has tried
         window = offscreen_window(renderer, size)
+        # From 9.4 on, with no EGL, it takes OSMesa, claims to support OpenGL, and crashes where that is not there.
+        if any("libOSMesa not found" in text for text in said("ERROR") + said("Warning")):
+            raise CannotRender(
+                "there is no OpenGL: EGL finds no device with version 3.2 or later, and there is no libOSMesa either "
+                "(Debian's libgl1-mesa-dri and libegl1 draw without a GPU)"
+            )
         if not window.SupportsOpenGL():
             reason = " ".join(window.ReportCapabilities().split())
             raise CannotRender(reason or "there is no OpenGL of version 3.2 or later")

@@ -74,6 +74,7 @@ class Viewer:
     def __init__(self, subject, arguments, window, interactor):
         self.subject = subject
         self.options = copy(arguments)
+        self.options.method = scene.choose_method(subject, arguments.method)
         self.options.radius_scale = scene.radius_scale(subject, arguments)
         self.renderer = scene.make(subject, self.options)
         self.actor = self.renderer.GetActors().GetLastActor()

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """From import to the first picture of a million points, beside PyVista's own way of drawing points.
 
-    python3 Testing/Benchmarks/first_picture.py [--output [FILE]]
+    python3 Testing/Benchmarks/first_picture.py [--points N] [--runs N] [--output [FILE]]
 
 Each figure comes from a process of its own, in which the clock starts before the first import and ends with the picture
 as an array; the median of some runs, of the wall's time and of the process' over all its threads. The points, of a sphere
@@ -16,19 +16,19 @@ import os
 import subprocess
 import sys
 import time
+from importlib.metadata import version
 from statistics import median
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-COUNT = 1_000_000
-RUNS = 3
+ONCE = "pull-push, normals estimated"  # takes far longer than the others: one run says enough
 SIZE = (800, 600)
 
 
-def points_and_normals():
+def points_and_normals(count):
     import numpy as np
 
-    i = np.arange(COUNT) + 0.5
-    z, angle = 1 - 2 * i / COUNT, np.pi * (1 + 5**0.5) * i
+    i = np.arange(count) + 0.5
+    z, angle = 1 - 2 * i / count, np.pi * (1 + 5**0.5) * i
     ring = np.sqrt(1 - z * z)
     normals = np.stack([ring * np.cos(angle), ring * np.sin(angle), z], axis=1).astype(np.float32)
     bumps = 1 + 0.05 * np.sin(8 * normals).prod(axis=1, keepdims=True)
@@ -64,7 +64,7 @@ def surface(method, with_normals):
         cloud = pv.PolyData(points)
         if with_normals:
             cloud.point_data.active_normals = normals
-        add_point_surface(scene, cloud, method=method, color="tan", radius=0.006)
+        add_point_surface(scene, cloud, method=method, color="tan", radius=6 / len(points) ** 0.5)
         return scene
 
     return add
@@ -74,15 +74,16 @@ WAYS = {
     'PyVista, `add_points(style="points_gaussian")`': gaussian,
     "PyVista, `add_points()`, unlit squares": squares,
     "pull-push, normals given": surface("pull-push", True),
-    "pull-push, normals estimated": surface("pull-push", False),
+    "auto, normals given": surface("auto", True),
+    ONCE: surface("pull-push", False),
     "direct, positions alone": surface("direct", False),
     "image-space, normals given": surface("image-space", True),
 }
 
 
-def measure(name):
+def measure(name, count):
     """One run in this process: milliseconds of the wall and of the process, as JSON."""
-    points, normals = points_and_normals()  # numpy is loaded before the clock starts, as the data are
+    points, normals = points_and_normals(count)  # numpy is loaded before the clock starts, as the data are
     start = time.perf_counter(), time.process_time()
     scene = WAYS[name](points, normals)
     picture = scene.screenshot(return_img=True)
@@ -94,21 +95,25 @@ def measure(name):
     print(json.dumps(result))
 
 
-def measure_apart(name):
+def measure_apart(name, count, runs):
     print(f"{name} ...", file=sys.stderr, flush=True)
-    command = [sys.executable, os.path.abspath(__file__), "--measure", name]
-    runs = [json.loads(subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout) for _ in range(RUNS)]
-    return {"renderer": runs[0]["renderer"], **{clock: median(run[clock] for run in runs) for clock in ("wall", "process")}}
+    command = [sys.executable, os.path.abspath(__file__), "--measure", name, "--points", str(count)]
+    runs = 1 if name == ONCE else runs
+    results = [json.loads(subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout) for _ in range(runs)]
+    medians = {clock: median(result[clock] for result in results) for clock in ("wall", "process")}
+    return {"renderer": results[0]["renderer"], **medians}
 
 
-def table():
-    results = {name: measure_apart(name) for name in WAYS}
+def table(count, runs):
+    results = {name: measure_apart(name, count, runs) for name in WAYS}
     peer = results[next(iter(WAYS))]
     lines = [
-        "# From import to the first picture of a million points",
+        "# From import to the first picture",
         "",
+        f"Of {count} points by `Testing/Benchmarks/first_picture.py`, with PyVista {version('pyvista')} and VTK {version('vtk')}.",
         f"Milliseconds from before the first import (numpy and the points being there) to a picture of {SIZE[0]} x {SIZE[1]} as",
-        f"an array; the median of {RUNS} runs, each a process of its own: by the wall, and of the process over all its threads.",
+        f"an array; the median of {runs} runs (with normals estimated: one), each a process of its own: by the wall, and of the",
+        "process over all its threads.",
         f"Ratios are to the first row. OpenGL renderer: {peer['renderer']}.",
         "",
         "| way | wall | ratio | process | ratio |",
@@ -126,12 +131,14 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     default_output = os.path.join(HERE, "first_picture.md")
     parser.add_argument("--output", nargs="?", const=default_output, metavar="FILE", help="write the table to a file")
+    parser.add_argument("--points", type=int, default=1_000_000, metavar="N", help="default: %(default)s")
+    parser.add_argument("--runs", type=int, default=3, metavar="N", help="default: %(default)s")
     parser.add_argument("--measure", help=argparse.SUPPRESS)
     arguments = parser.parse_args()
     if arguments.measure:
-        measure(arguments.measure)
+        measure(arguments.measure, arguments.points)
         return
-    result = table()
+    result = table(arguments.points, arguments.runs)
     print(result, end="")
     if arguments.output:
         from pointsurface.writers import write_whole

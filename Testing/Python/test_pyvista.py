@@ -2,6 +2,8 @@
 """PyVista's plotters with our mappers: what add_mesh's keywords do to a mesh, they do to the surface of its points."""
 
 import doctest
+import inspect
+import re
 
 import numpy as np
 import pytest
@@ -125,6 +127,16 @@ def test_every_method(method):
     assert (wanted ^ found).sum() < 0.05 * wanted.sum()
 
 
+def test_auto_picks_by_normals():
+    _, cloud = lit_cloud()
+    plotter = pv.Plotter(off_screen=True, window_size=SIZE)
+    bare = add_point_surface(plotter, cloud.points, method="auto").mapper
+    lit = add_point_surface(plotter, cloud, method="auto").mapper
+    assert bare.GetClassName() == "vtkDirectPointMapper"
+    assert lit.GetClassName() == ("vtkSurfaceSplatMapper" if lit.IsSoftwareRasterizer() else "vtkPullPushMapper")
+    plotter.close()
+
+
 def two_spheres(as_points):
     blocks = {name: fine_sphere().translate((x, 0, 0)) for name, x in (("left", 0), ("right", 1.2))}
     for name, block in blocks.items():
@@ -179,3 +191,148 @@ def test_accessors():
 
 def test_examples_of_the_documentation():
     assert doctest.testmod(pointsurface.pyvista).failed == 0
+
+
+def lit_cloud():
+    """The points of a sphere, and their normals."""
+    mesh = fine_sphere()
+    cloud = pv.PolyData(mesh.points)
+    cloud.point_data.active_normals = mesh.points / np.linalg.norm(mesh.points, axis=1, keepdims=True)
+    return mesh, cloud
+
+
+def test_subplots():
+    _, cloud = lit_cloud()
+    plotter = pv.Plotter(off_screen=True, window_size=(400, 200), shape=(1, 2))
+    plotter.set_background("white")
+    for column, color in enumerate(("red", "blue")):
+        plotter.subplot(0, column)
+        actor = add_point_surface(plotter, cloud, color=color)
+        assert actor in plotter.renderers[column].actors.values()
+    image = plotter.screenshot(return_img=True).astype(float)
+    plotter.close()
+    for half, own, other in ((image[:, :200], 0, 2), (image[:, 200:], 2, 0)):
+        seen = half[covered(half)]
+        assert len(seen) > 5000
+        assert (seen[:, own] > 2 * seen[:, other]).mean() > 0.95
+
+
+@pytest.mark.parametrize("effect", ["enable_eye_dome_lighting", "enable_ssao"])
+def test_effects_do_what_they_do_to_the_mesh(effect):
+    mesh, cloud = lit_cloud()
+    floor = pv.Plane(center=(0, 0, -0.5), i_size=2, j_size=2)
+
+    def drawn(add_sphere, with_effect):
+        def add(plotter):
+            add_sphere(plotter)
+            plotter.add_mesh(floor, color="white")
+            plotter.camera_position = [(1, 2, 0.6), (0, 0, -0.2), (0, 0, 1)]
+            if with_effect:
+                getattr(plotter, effect)(**({"radius": 0.3, "blur": True} if effect == "enable_ssao" else {}))
+
+        return picture(add)
+
+    def add_cloud(plotter):
+        add_point_surface(plotter, cloud, color="white")
+
+    plain, found = drawn(add_cloud, False), drawn(add_cloud, True)
+    wanted = drawn(lambda plotter: plotter.add_mesh(mesh, color="white", smooth_shading=True), True)
+    changed = np.abs(found - plain).max(axis=2) > 10
+    assert changed.sum() > 300, "it does something"
+    assert (found <= plain + 3).mean() > 0.97, "it darkens"
+    assert np.abs(found - wanted).mean() < 3  # of 255
+    assert np.abs(found - wanted).mean() < 0.5 * np.abs(plain - wanted).mean()
+
+
+def test_picking():
+    _, cloud = lit_cloud()
+    plotter = pv.Plotter(off_screen=True, window_size=SIZE)
+    add_point_surface(plotter, cloud, color="tan")
+    plotter.camera_position = [(0, -6, 0), (0, 0, 0), (0, 0, 1)]
+    picked = []
+    plotter.enable_point_picking(
+        callback=lambda place: picked.append(np.array(place)), left_clicking=True, picker="hardware", show_message=False,
+        show_point=False,
+    )  # fmt: skip
+    plotter.iren.picker.SetSnapToMeshPoint(True)  # or VTK looks for cells with an area
+    plotter.show(auto_close=False)
+    plotter.iren._mouse_left_button_click(190, 170)
+    plotter.close()
+    assert len(picked) == 1
+    assert np.linalg.norm(picked[0]) == pytest.approx(1, abs=0.02)
+    x, y, z = picked[0]
+    scale = 150 / np.tan(np.radians(15))  # pixels, at distance 1
+    assert scale * x / (y + 6) == pytest.approx(40, abs=6)
+    assert scale * z / (y + 6) == pytest.approx(20, abs=6)
+    assert y < 0, "on the near side"
+
+
+def test_show_writes_the_picture(tmp_path):
+    _, cloud = lit_cloud()
+    plotter = pv.Plotter(off_screen=True, window_size=SIZE)
+    plotter.set_background("white")
+    add_point_surface(plotter, cloud, color="tan")
+    plotter.show(screenshot=str(tmp_path / "shown.png"))
+    shown = pv.read(tmp_path / "shown.png")
+    assert shown.dimensions[:2] == SIZE
+    pixels = shown.point_data.active_scalars.reshape(*SIZE, -1)[..., :3]
+    expected = picture(lambda plotter: add_point_surface(plotter, cloud, color="tan"))
+    assert covered(pixels).sum() == pytest.approx(covered(expected).sum(), rel=0.01) and covered(pixels).sum() > 10000
+
+
+def test_animation(tmp_path):
+    image = pytest.importorskip("PIL.Image", reason="Pillow is not installed")
+    pytest.importorskip("imageio", reason="imageio is not installed")
+    _, cloud = lit_cloud()
+    plotter = pv.Plotter(off_screen=True, window_size=SIZE)
+    plotter.set_background("white")
+    add_point_surface(plotter, cloud, color="tan", radius=0.02)
+    plotter.camera_position = [(0, -6, 0), (0, 0, 0), (0, 0, 1)]
+    plotter.open_gif(str(tmp_path / "squeezed.gif"))
+    for height in (1.0, 0.6, 0.3):
+        cloud.points[:, 2] = fine_sphere().points[:, 2] * height
+        cloud.GetPoints().Modified()
+        plotter.write_frame()
+    plotter.close()
+    heights = []
+    with image.open(tmp_path / "squeezed.gif") as animation:
+        assert animation.n_frames == 3
+        for i in range(3):
+            animation.seek(i)
+            rows = covered(np.asarray(animation.convert("RGB"), float) + 15).any(axis=1)  # colours of a palette
+            heights.append(rows.sum())
+    assert heights[0] > 90
+    assert heights[1:] == pytest.approx([0.6 * heights[0], 0.3 * heights[0]], abs=6)
+
+
+def test_opacity_shows_what_is_behind():
+    _, cloud = lit_cloud()
+    behind = pv.Cube(center=(0, 2, 0))
+
+    def add(opacity):
+        def add_both(plotter):
+            plotter.add_mesh(behind, color="blue", lighting=False)
+            add_point_surface(plotter, cloud, color="red", opacity=opacity)
+            plotter.camera_position = [(0, -6, 0), (0, 0, 0), (0, 0, 1)]
+
+        return picture(add_both)[150, 150]
+
+    solid, half = add(1.0), add(0.5)
+    assert solid[2] < 60 and half[2] == pytest.approx(0.5 * solid[2] + 127, abs=15)
+
+
+def test_everything_has_hints_and_an_example():
+    public = [add_point_surface]
+    for accessor in (pointsurface.pyvista.PointsAccessor, pointsurface.pyvista.VolumeAccessor):
+        public += [member for name, member in vars(accessor).items() if not name.startswith("_")]
+    assert len(public) == 5
+    for function in public:
+        parameters = inspect.signature(function).parameters
+        named = [name for name in parameters if name != "self"]
+        assert {*named, "return"} <= set(function.__annotations__), function
+        text = inspect.getdoc(function)
+        for section in ("Parameters", "Returns", "Examples"):
+            assert f"\n{section}\n{'-' * len(section)}\n" in text, (function, section)
+        for name in named:
+            assert re.search(rf"^(\*\*)?{name} : ", text, re.M), (function, name)
+        assert ">>> " in text

@@ -7,6 +7,7 @@ import re
 import signal
 import subprocess
 import sys
+from ctypes.util import find_library
 from unittest.mock import ANY
 
 import numpy as np
@@ -325,7 +326,11 @@ def test_display_that_cannot_be_opened(half_sphere, tmp_path, command):
     check_fault(result, "the display :9731 (DISPLAY) cannot be opened", code=1)
 
 
-@pytest.mark.skipif(not hasattr(pointsurface_module, "vtkPointSurfaceEGLRenderWindow"), reason="VTK chooses its own window")
+@pytest.mark.skipif(
+    not hasattr(pointsurface_module, "vtkPointSurfaceEGLRenderWindow") and bool(find_library("OSMesa")),
+    reason="VTK draws by OSMesa",
+)
+@pytest.mark.parametrize("method", ["pull-push", "auto"])
 @pytest.mark.parametrize(
     "environment, words",
     [
@@ -334,8 +339,9 @@ def test_display_that_cannot_be_opened(half_sphere, tmp_path, command):
     ],
     ids=["no EGL", "OpenGL 2.1"],
 )
-def test_no_opengl(half_sphere, tmp_path, environment, words):
-    check_fault(pointsurface("render", half_sphere, tmp_path / "p.png", **environment), words, code=1)
+def test_no_opengl(half_sphere, tmp_path, environment, words, method):
+    result = pointsurface("render", half_sphere, tmp_path / "p.png", "--method", method, **environment)
+    check_fault(result, words, code=1)
 
 
 def test_interrupt_between_frames_leaves_whole_ones(half_sphere, tmp_path):

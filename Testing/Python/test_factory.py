@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The mapper that is picked for a cloud: each rule of vtkPointSurfaceMapperFactory, and what the commands make of it."""
+
+import json
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+from pointsurface import (
+    vtkAlgebraicSplats,
+    vtkPointSurfaceMapper,
+    vtkPointSurfaceMapperFactory,
+)
+from pointsurface.methods import AUTO, METHODS, chosen
+from pointsurface.readers import read
+
+CPU, OPENGL = vtkPointSurfaceMapper.CPU, vtkPointSurfaceMapper.OpenGL
+
+
+def sphere(normals=True, radii=None):
+    """5000 even points of a sphere; radii: the smallest and the largest."""
+    i = np.arange(5000) + 0.5
+    z, angle = 1 - i / 2500, np.pi * (1 + 5**0.5) * i
+    ring = np.sqrt(1 - z * z)
+    points = np.stack([ring * np.cos(angle), ring * np.sin(angle), z], axis=1).astype(np.float32)
+    cloud = vtkPolyData()
+    cloud.SetPoints(vtkPoints())
+    cloud.GetPoints().SetData(numpy_to_vtk(points, deep=True))
+    if normals:
+        cloud.GetPointData().SetNormals(numpy_to_vtk(points, deep=True))
+    if radii:
+        array = numpy_to_vtk(np.linspace(*radii, len(points)), deep=True)
+        array.SetName("radius")
+        cloud.GetPointData().AddArray(array)
+    return cloud
+
+
+def splats():
+    fit = vtkAlgebraicSplats()
+    fit.SetInputData(sphere())
+    fit.Update()
+    return fit.GetOutput()
+
+
+def tree(*blocks):
+    result = vtkMultiBlockDataSet()
+    for i, block in enumerate(blocks):
+        result.SetBlock(i, block)
+    return result
+
+
+@pytest.mark.parametrize("backend", [CPU, OPENGL])
+@pytest.mark.parametrize(
+    "make, on_cpu, on_opengl",
+    [
+        (sphere, "surface-splats", "pull-push"),
+        (lambda: sphere(radii=(0.01, 0.45)), "surface-splats", "pull-push"),
+        (lambda: sphere(radii=(0.01, 0.55)), "pull-push", "pull-push"),
+        (lambda: sphere(normals=False), "direct", "direct"),
+        (lambda: sphere(normals=False, radii=(0.01, 0.09)), "direct", "direct"),
+        (lambda: sphere(normals=False, radii=(0.01, 0.11)), "pull-push", "pull-push"),
+        (splats, "algebraic-splats", "algebraic-splats"),
+        (lambda: tree(vtkPolyData(), sphere()), "surface-splats", "pull-push"),
+        (lambda: tree(sphere(), tree(sphere(normals=False))), "direct", "direct"),
+        (lambda: tree(sphere(radii=(0.01, 0.1)), sphere(radii=(0.1, 0.6))), "pull-push", "pull-push"),
+        (lambda: None, "direct", "direct"),
+    ],
+)
+def test_rules(make, on_cpu, on_opengl, backend):
+    mapper = vtkPointSurfaceMapperFactory.NewMapper(make(), backend)
+    assert mapper.IsA(METHODS[on_cpu if backend == CPU else on_opengl].__name__), mapper.GetClassName()
+    assert mapper.GetBackend() == backend
+    assert mapper.GetReferenceCount() == 1
+
+
+def test_chosen():
+    assert chosen("image-space", None) == "image-space"
+    assert chosen(AUTO, sphere(normals=False)) == "direct"
+
+
+def pointsurface(*arguments, **environment):
+    return subprocess.run(
+        [sys.executable, "-m", "pointsurface", *map(str, arguments)],
+        env={**os.environ, **environment}, capture_output=True, text=True,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("normals", [True, False])
+def test_render(tmp_path, normals):
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputData(sphere(normals))
+    writer.SetFileName(str(tmp_path / "cloud.vtp"))
+    writer.Write()
+    assert read(str(tmp_path / "cloud.vtp")).GetNumberOfPoints() == 5000
+    arguments = ("render", tmp_path / "cloud.vtp", tmp_path / "p.png", "--size", "60x60", "--method", "auto", "--json")
+    result = pointsurface(*arguments)
+    assert result.returncode == 0, result.stderr
+    report = json.loads(result.stdout)
+    is_software = any(name in report["renderer"] for name in ("llvmpipe", "softpipe", "swrast"))
+    assert report["method"] == ("direct" if not normals else "surface-splats" if is_software else "pull-push")
+    blind = pointsurface(*arguments, DISPLAY=":9731")
+    assert blind.returncode == 1 and blind.stderr.count("\n") == 1 and "cannot be opened" in blind.stderr
