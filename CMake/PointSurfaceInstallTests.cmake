@@ -43,3 +43,12 @@ if (POINTSURFACE_WRAP_PYTHON)
     FIXTURES_REQUIRED Installed
     ENVIRONMENT "PYTHONPATH=${install_prefix}/${python_destination}")
 endif ()
+
+# The wheel: minutes on all cores, so nothing beside it. Skipped, in words, where there is no vtk-sdk.
+if (POINTSURFACE_WRAP_PYTHON AND UNIX)
+  add_test(NAME Wheel COMMAND "${CMAKE_SOURCE_DIR}/Scripts/test-wheel.sh")
+  set_tests_properties(Wheel PROPERTIES
+    SKIP_RETURN_CODE 77
+    RUN_SERIAL ON
+    TIMEOUT 2700)
+endif ()

@@ -7,6 +7,9 @@ source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=$source_dir/build
 os_release=${POINTSURFACE_OS_RELEASE:-/etc/os-release}
 
+# Where test-wheel.sh takes vtk-sdk from.
+wheel_sdk=$source_dir/../shared/sdk
+
 # Another python on PATH has no VTK of Debian's.
 python=/usr/bin/python3
 

@@ -1,33 +1,54 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Scripts/test-wheel.sh: builds the wheel, installs it into a fresh virtual environment beside VTK's, and runs the Python
-# tests there. vtk-sdk is taken from ../shared/sdk; ends with 77 (skipped) where that folder is absent.
+# Scripts/test-wheel.sh: builds the source distribution, of that the wheel, installs this into a fresh virtual environment
+# beside VTK's, and runs the Python tests there. Ends with 77 (skipped) where ../shared/sdk, of which vtk-sdk is taken, or a
+# package that pip is to bring, is not to be had.
 # shellcheck source=lib.sh
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+unset PYTHONPATH # where ctest runs this it leads to the package in the build tree
 
-sdk=$source_dir/../shared/sdk
-if [[ ! -d $sdk ]]; then
-  say "skipped: there is no vtk-sdk in ../shared/sdk to build the wheel with"
-  exit 77
-fi
-# No isolation: pip's folder for it has another name in each run, and all would be built anew.
 work=$build_dir/wheel
+
+skip() {
+  say "skipped: $*"
+  exit 77
+}
+
+# install VENV PACKAGES...
+install() { "$work/$1/bin/pip" install --quiet --find-links "$wheel_sdk" "${@:2}" >&2; }
+
+# package OPTIONS... FOLDER: without isolation, since pip's folder for that has another name in each run.
+package() {
+  "$work/build-venv/bin/python" -m build --no-isolation --outdir "$work/dist" "$@" >>"$work/build.log" 2>&1 || {
+    tail --lines 60 "$work/build.log" >&2
+    stop "the build has failed; $work/build.log has all of it"
+  }
+}
+
+[[ -d $wheel_sdk ]] || skip "there is no vtk-sdk in ../shared/sdk to build the wheel with"
 mapfile -t build_requires < <("$python" -c '
 import sys, tomllib
 print(*tomllib.load(open(sys.argv[1], "rb"))["build-system"]["requires"], sep="\n")' "$source_dir/pyproject.toml")
+vtk=$(printf '%s\n' "${build_requires[@]}" | grep '^vtk==')
 [[ -d $work/build-venv ]] || "$python" -m venv "$work/build-venv"
-say "building the wheel and the source distribution"
-"$work/build-venv/bin/pip" install --quiet --find-links "$sdk" build ninja "cmake>=3.27" "${build_requires[@]}"
-rm -rf "$work/dist"
-"$work/build-venv/bin/python" -m build --no-isolation --outdir "$work/dist" -C build-dir="$work/build" \
-  --wheel "$source_dir"
-"$work/build-venv/bin/python" -m build --no-isolation --outdir "$work/dist" --sdist "$source_dir"
+install build-venv build ninja "cmake>=3.27" "${build_requires[@]}" || skip "pip cannot get what the build needs"
+
+say "building the source distribution, and the wheel of it"
+rm -rf "$work/dist" "$work/source" "$work/build.log"
+package --sdist "$source_dir"
+mkdir "$work/source"
+# Its files have no times of their own: they are as old as now, or ninja would not see what has changed.
+tar --extract --touch --strip-components 1 --directory "$work/source" --file "$work"/dist/*.tar.gz
+package --wheel -C build-dir="$work/build" "$work/source"
 
 say "installing it into a fresh virtual environment"
 "$python" -m venv --clear "$work/venv"
-"$work/venv/bin/pip" install --quiet pytest pytest-xdist pyvista "$work"/dist/*.whl
+install venv pytest pytest-xdist imageio tqdm "$vtk" "pyvista>=0.48" || skip "pip cannot get what the tests need"
+install venv --no-index "$work"/dist/*.whl # what it requires is there, then
 packages=$("$work/venv/bin/python" -c 'import sysconfig; print(sysconfig.get_path("platlib"))')
 [[ -f $packages/pointsurface/vtkPointSurface.pyi ]] || stop "the wheel has no type stubs"
+
+say "running the Python tests"
 mkdir -p "$work/output"
 cd "$work" # not the source tree
 PATH="$work/venv/bin:$PATH" DISPLAY='' PYTHONPATH=$packages POINTSURFACE_TEST_OUTPUT=$work/output \
