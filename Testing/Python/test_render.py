@@ -16,10 +16,14 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
 import pointsurface as pointsurface_module
 from pointsurface.methods import METHODS
 from pointsurface.passes import PASSES
+from pointsurface.readers import read
+from pointsurface.rendering import offscreen_window, read_color
+from pointsurface.scene import place_camera
 
 
 def pointsurface(*arguments, **environment):
@@ -98,6 +102,23 @@ def test_render(half_sphere, tmp_path):
     rows, columns = covered.any(axis=1).sum(), covered.any(axis=0).sum()
     assert rows == pytest.approx(2 * columns, abs=8)  # in perspective the open side is seen a little from within
     assert covered.sum() == pytest.approx(np.pi / 4 * rows * columns, rel=0.06)
+
+
+@pytest.mark.skipif("POINTSURFACE_SHARED_DATA" not in os.environ, reason="the shared models are not at hand")
+def test_dragon_covers_what_its_mesh_covers(tmp_path):
+    shared = os.environ["POINTSURFACE_SHARED_DATA"]
+    picture = tmp_path / "dragon.png"
+    report = draw(os.path.join(shared, "clouds", "dragon.vtp"), picture, "--background", "white", "--json")
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(read(os.path.join(shared, "meshes", "dragon.vtp")))
+    actor, renderer = vtkActor(), vtkRenderer()
+    actor.SetMapper(mapper)
+    renderer.AddActor(actor)
+    window = offscreen_window(renderer, (800, 600))
+    place_camera(renderer, report["camera"])
+    mesh = read_color(window).any(axis=2)
+    assert mesh.sum() > 50_000
+    assert (covered(picture) ^ mesh).sum() < 0.03 * mesh.sum()
 
 
 def test_scalars_and_view(half_sphere, tmp_path):
