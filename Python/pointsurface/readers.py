@@ -215,7 +215,6 @@ def _check_mrc(path):
         raise UnreadableFile(f"{path} is cut short: its header asks for {needed} bytes, not {os.path.getsize(path)}")
 
 
-# What VTK's readers do not notice.
 def _check_pcd(path):
     if importlib.util.find_spec(f"{__package__}.vtkPointSurfacePCL") is None:
         raise UnreadableFile(
@@ -223,6 +222,7 @@ def _check_pcd(path):
         )
 
 
+# What VTK's readers do not notice.
 _CHECKS = {"stl": _check_stl, "ply": _check_ply, "mrc": _check_mrc, "pcd": _check_pcd}
 
 
