@@ -43,7 +43,7 @@ package --wheel -C build-dir="$work/build" "$work/source"
 
 say "installing it into a fresh virtual environment"
 "$python" -m venv --clear "$work/venv"
-install venv pytest pytest-xdist imageio tqdm "$vtk" "pyvista>=0.48" || skip "pip cannot get what the tests need"
+install venv pytest pytest-xdist imageio "laspy[lazrs]" pye57 tqdm "$vtk" "pyvista>=0.48" || skip "pip cannot get what the tests need"
 install venv --no-index "$work"/dist/*.whl # what it requires is there, then
 packages=$("$work/venv/bin/python" -c 'import sysconfig; print(sysconfig.get_path("platlib"))')
 [[ -f $packages/pointsurface/vtkPointSurface.pyi ]] || stop "the wheel has no type stubs"
