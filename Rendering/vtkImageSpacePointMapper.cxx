@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkImageSpacePointMapper.h"
 
+#include "vtkDiscFillCPU.h"
+#include "vtkDiscFillOpenGL.h"
+#include "vtkDiscFillOptions.h"
 #include "vtkLitSmoothingImpl.h"
 #include "vtkMaskFillCPU.h"
 #include "vtkMaskFillOpenGL.h"
@@ -10,7 +13,6 @@
 #include "vtkPointProjectionOptions.h"
 #include "vtkPointSurfaceCompat.h"
 #include "vtkPointSurfaceView.h"
-#include "vtkProjectedSurfaceFS.h"
 #include "vtkSurfaceBufferShading.h"
 #include "vtkSurfaceCopyFS.h"
 #include "vtkSurfaceImage.h"
@@ -42,6 +44,8 @@
 struct vtkImageSpacePointMapper::Plan
 {
   std::array<int, 4> Rectangle{}; ///< x, y, x end, y end
+  vtkPointProjectionOptions Projection;
+  vtkDiscFillOptions Discs;
   vtkMaskFillOptions Background;
   vtkMaskFillOptions Occluded;
   vtkSurfaceSmoothingOptions Smoothing;
@@ -73,7 +77,7 @@ class vtkImageSpacePointMapper::vtkInternals
 public:
   vtkSurfaceTarget Projected;
   vtkSurfaceTarget Targets[2]; // to and fro
-  vtkSurfaceStepOpenGL ProjectedSurface{ vtkProjectedSurfaceFS };
+  vtkDiscFillOpenGL Discs;
   vtkSurfaceStepOpenGL Copy{ vtkSurfaceCopyFS };
   vtkMaskFillOpenGL Fill;
   vtkSurfaceSmoothingOpenGL SmoothingStep;
@@ -132,7 +136,7 @@ void vtkImageSpacePointMapper::ReleaseGraphicsResources(vtkWindow* window)
   {
     target->ReleaseGraphicsResources(window);
   }
-  internals.ProjectedSurface.ReleaseGraphicsResources();
+  internals.Discs.ReleaseGraphicsResources();
   internals.Copy.ReleaseGraphicsResources();
   internals.Fill.ReleaseGraphicsResources();
   internals.SmoothingStep.ReleaseGraphicsResources();
@@ -145,6 +149,7 @@ void vtkImageSpacePointMapper::ReleaseGraphicsResources(vtkWindow* window)
 
 void vtkImageSpacePointMapper::SetToPublished()
 {
+  this->FillWithinDiscsOff();
   this->KeepOutlinesOff();
   this->FarPlaneLayerDistanceOn();
   this->SmoothAcrossLayersOn();
@@ -162,12 +167,18 @@ vtkImageSpacePointMapper::Plan vtkImageSpacePointMapper::MakePlan(
   plan.Rectangle = { r[0], r[1], r[0] + r[2], r[1] + r[3] };
 
   // Points that are spread at random leave holes three spacings wide, which is one and a half
-  // radii; where they start thin, filling takes twice as many iterations.
+  // radii; where they start thin, filling takes twice as many iterations. Discs leave less.
   const double radius = view.TypicalRadius * view.LargestRadius / view.MeanRadius;
-  const int needed = static_cast<int>(std::ceil(std::min(std::max(3.0 * radius, 1.0), 1000.0)));
+  const double widest = this->FillWithinDiscs ? 2.0 * radius + 1.0 : 3.0 * radius;
+  const int needed = static_cast<int>(std::ceil(std::min(std::max(widest, 1.0), 1000.0)));
   const double distance = this->FarPlaneLayerDistance ? 1e-4 * GetFarPlane(view)
     : this->LayerDistance > 0.0                       ? this->LayerDistance
                                                       : 4.0 * view.MeanRadius;
+  if (this->FillWithinDiscs)
+  {
+    plan.Projection.SubpixelCenters = true;
+    plan.Discs = vtkDiscFillOptions(view, radius, distance);
+  }
   plan.Background.MaximumIterations =
     this->MaximumBackgroundFills < 0 ? needed : this->MaximumBackgroundFills;
   plan.Occluded.Occluded = true;
@@ -213,9 +224,9 @@ void vtkImageSpacePointMapper::MakeSurfaceBuffer(
   vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& surface)
 {
   vtkInternals& internals = *this->Internals;
-  this->ProjectPoints(window, view, vtkPointProjectionOptions(), surface, internals.Projected);
-  internals.View = view;
   const Plan plan = this->MakePlan(view);
+  this->ProjectPoints(window, view, plan.Projection, surface, internals.Projected);
+  internals.View = view;
   for (vtkSurfaceTarget& target : internals.Targets)
   {
     target.Allocate(window, view.Size[0], view.Size[1], surface.GetLayers());
@@ -234,11 +245,9 @@ void vtkImageSpacePointMapper::MakeSurfaceBuffer(
     }
   };
 
-  auto noUniforms = [](vtkShaderProgram*) {};
-  internals.ProjectedSurface.Run(window, internals.Projected, *current, plan.Rectangle, noUniforms);
-  ++this->LastFramePasses;
-
   internals.Timers[BackgroundFill].Start();
+  internals.Discs.Run(window, plan.Discs, plan.Rectangle, internals.Projected, *current);
+  ++this->LastFramePasses;
   this->LastFrameBackgroundFills += internals.Fill.Run(
     window, plan.Background, plan.Rectangle, current, spare, this->LastFramePasses);
   internals.Timers[BackgroundFill].Stop();
@@ -250,7 +259,7 @@ void vtkImageSpacePointMapper::MakeSurfaceBuffer(
 
   if (last == 0)
   {
-    internals.Copy.Run(window, *current, surface, plan.Rectangle, noUniforms);
+    internals.Copy.Run(window, *current, surface, plan.Rectangle, [](vtkShaderProgram*) {});
     ++this->LastFramePasses;
     return;
   }
@@ -275,12 +284,15 @@ void vtkImageSpacePointMapper::MakeSurfacePixels(
   const vtkPointSurfaceView& view, bool ids, bool colors, vtkSurfacePixels& surface)
 {
   vtkInternals& internals = *this->Internals;
-  this->ProjectPoints(view, vtkPointProjectionOptions(), ids, colors, internals.ProjectedCPU);
-  internals.View = view;
   const Plan plan = this->MakePlan(view);
-  internals.ProjectedCPU.ReadSurface(surface);
+  this->ProjectPoints(view, plan.Projection, ids, colors, internals.ProjectedCPU);
+  internals.View = view;
   internals.Time(BackgroundFill,
-    [&] { this->LastFrameBackgroundFills += internals.FillCPU.Run(plan.Background, surface); });
+    [&]
+    {
+      vtkDiscFillCPU::Run(plan.Discs, internals.ProjectedCPU, surface);
+      this->LastFrameBackgroundFills += internals.FillCPU.Run(plan.Background, surface);
+    });
   internals.Time(OccludedFill,
     [&] { this->LastFrameOccludedFills += internals.FillCPU.Run(plan.Occluded, surface); });
   internals.Time(Smoothing,
@@ -383,6 +395,7 @@ void vtkImageSpacePointMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MaximumBackgroundFills: " << this->MaximumBackgroundFills << "\n";
   os << indent << "MaximumOccludedFills: " << this->MaximumOccludedFills << "\n";
+  os << indent << "FillWithinDiscs: " << this->FillWithinDiscs << "\n";
   os << indent << "KeepOutlines: " << this->KeepOutlines << "\n";
   os << indent << "LayerDistance: " << this->LayerDistance << "\n";
   os << indent << "FarPlaneLayerDistance: " << this->FarPlaneLayerDistance << "\n";
