@@ -387,6 +387,10 @@ bool vtkImageSpacePointMapper::ReadProjectedBuffer(vtkImageData* buffer)
   reach->InsertNextValue(plan.Background.Reach);
   reach->InsertNextValue(plan.Occluded.Reach);
   buffer->GetFieldData()->AddArray(reach);
+  vtkNew<vtkIntArray> discReach;
+  discReach->SetName("DiscReach");
+  discReach->InsertNextValue(plan.Discs.Reach);
+  buffer->GetFieldData()->AddArray(discReach);
   return true;
 }
 

@@ -181,10 +181,13 @@ public:
    * first sample), and where the cloud goes on outside of the viewport, a rim around that, from
    * which pixels are filled too. Point arrays: "Normals" (float, 3 components, eye space), "Depth"
    * (float, distance from the eye along the view direction in world units, 0 where no point fell),
-   * "Colors" (float, 4 components) if the cloud has colours, "PointIds" (int, -1 where no point
-   * fell) if RecordPointIds is on. Field data: "LayerDistance" (1 double) and "MaximumFills" (2
-   * ints, background and occluded) and "Reach" (2 ints, the pixels within which KeepOutlines looks
-   * for the surface; 0 where it is off), as the frame used them.
+   * "Radius" (float, world units), "Displacement" (float, 2 components, from the pixel's centre to
+   * the point, in pixels; 0 where FillWithinDiscs is off), "Colors" (float, 4 components) if the
+   * cloud has colours, "PointIds" (int, -1 where no point fell) if RecordPointIds is on. Field
+   * data, as the frame used them: "LayerDistance" (1 double), "MaximumFills" (2 ints, background
+   * and occluded), "Reach" (2 ints, the pixels within which KeepOutlines looks for the surface; 0
+   * where it is off) and "DiscReach" (1 int, the pixels to each side in which FillWithinDiscs looks
+   * for points; 0 where it is off).
    * Returns false, with an error, when nothing has been rendered yet.
    */
   bool ReadProjectedBuffer(vtkImageData* buffer);

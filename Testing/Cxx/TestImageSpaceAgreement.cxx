@@ -91,6 +91,8 @@ ImageSpaceReference ReadProjection(vtkImageData* projected)
     ImageSpaceReference::Pixel& pixel = image.At(id % size[0], id / size[0]);
     pixel.Depth = data->GetArray("Depth")->GetComponent(id, 0);
     data->GetArray("Normals")->GetTuple(id, pixel.Normal.data());
+    data->GetArray("Displacement")->GetTuple(id, pixel.Displacement.data());
+    pixel.Radius = data->GetArray("Radius")->GetComponent(id, 0);
     pixel.Source = static_cast<int>(data->GetArray("PointIds")->GetComponent(id, 0));
     if (data->HasArray("Colors"))
     {
@@ -98,6 +100,30 @@ ImageSpaceReference ReadProjection(vtkImageData* projected)
     }
   }
   return image;
+}
+
+ImageSpaceReference::Camera GetCamera(Stage& stage, const Scene& scene, const int extent[6])
+{
+  vtkCamera* camera = stage.Renderer->GetActiveCamera();
+  ImageSpaceReference::Camera result;
+  result.Parallel = scene.Parallel;
+  result.Focal = 0.5 * scene.Height /
+    (scene.Parallel ? camera->GetParallelScale()
+                    : std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle())));
+  result.Center = { 0.5 * scene.Width - extent[0], 0.5 * scene.Height - extent[2] };
+  return result;
+}
+
+int CountDiffering(ImageSpaceReference a, ImageSpaceReference b)
+{
+  int count = 0;
+  for (int i = 0; i < a.GetWidth() * a.GetHeight(); ++i)
+  {
+    const int x = i % a.GetWidth();
+    const int y = i / a.GetWidth();
+    count += a.At(x, y).Source != b.At(x, y).Source;
+  }
+  return count;
 }
 
 constexpr double Kernels[3][3] = { { 1, 1, 1 }, { 4, 2, 1 }, { 16, 2, 1 } };
@@ -128,6 +154,17 @@ void Compare(const Scene& scene, int backend)
   const int reach[2] = { static_cast<int>(plan->GetArray("Reach")->GetComponent(0, 0)),
     static_cast<int>(plan->GetArray("Reach")->GetComponent(1, 0)) };
   check((reach[0] == 0 && reach[1] == 0) == scene.Published, name + ": outlines as published");
+  int extent[6];
+  projected->GetExtent(extent);
+  const int discReach = static_cast<int>(plan->GetArray("DiscReach")->GetComponent(0, 0));
+  check((discReach == 0) == scene.Published, name + ": discs where they are not published");
+  if (discReach > 0)
+  {
+    const ImageSpaceReference projection = reference;
+    reference.FillWithinDiscs(GetCamera(stage, scene, extent), discReach, distance);
+    check.AtLeast(CountDiffering(projection, reference), 0.02 * scene.Width * scene.Height,
+      name + ": pixels filled within discs");
+  }
   const int fills = reference.FillBackground(maximum[0], reach[0]);
   const int occluded = reference.FillOccluded(maximum[1], distance, reach[1]);
   check(fills == mapper->GetLastFrameBackgroundFills(), name + ": as many background fills");
@@ -140,8 +177,6 @@ void Compare(const Scene& scene, int backend)
       scene.Published ? std::numeric_limits<double>::infinity() : distance, !scene.Cull);
   }
 
-  int extent[6];
-  projected->GetExtent(extent);
   check(extent[0] < 0 || scene.Points < 100000, name + ": the projection has a rim");
   int covered = 0;
   int close = 0;

@@ -180,6 +180,17 @@ void TestPatterns(int backend)
   check(scene.Render(fingers) == fingers && mapper->GetLastFrameBackgroundFills() == 0,
     name + "a gap of 20 pixels stays, and corners do");
 
+  // points with discs that are wider than pixels
+  Pattern lone = Fill(40, 30, '.');
+  lone[20][20] = '1';
+  mapper->SetRadius(3.0);
+  mapper->SetMaximumBackgroundFills(-1);
+  check(scene.Render(lone) == lone, name + "a lone point does not grow, whatever its radius");
+  const int gap = Count({ scene.Render(fingers)[15].substr(17, 20) }, '.');
+  check.AtLeast(gap, 20 - 2 * 2, name + "a gap of 20 pixels, less the discs at its sides");
+  mapper->SetRadius(1.0);
+  mapper->SetMaximumBackgroundFills(1000);
+
   // as published a concave corner is filled, a pixel an iteration and more
   Pattern concave = Fill(40, 30, '.');
   Draw(concave, 5, 5, 20, 8, '1');
@@ -322,7 +333,12 @@ int TestImageSpacePointMapper(int argc, char* argv[])
   // the sphere has a diameter of some 250 pixels, so the points are 1.7 pixels apart
   Scene scene(70000);
   check(scene.Mapper->GetLastFramePointsDrawn() == 70000, "every point is drawn once");
-  check.AtLeast(scene.Mapper->GetLastFrameBackgroundFills(), 1, "sparse: background fills");
+  scene.Mapper->FillWithinDiscsOff();
+  scene.Window->Render();
+  check.AtLeast(scene.Mapper->GetLastFrameBackgroundFills(), 1, "sparse: fills by masks alone");
+  scene.Mapper->FillWithinDiscsOn();
+  scene.Window->Render();
+  check(scene.Mapper->GetLastFrameBackgroundFills() == 0, "sparse: discs leave no hole to masks");
   CompareWithSphere(scene);
   scene.Window->Render();
   check(scene.Mapper->GetLastFrameReconstructions() == 0 &&

@@ -44,8 +44,8 @@ class Accuracy(NamedTuple):
 
 ACCURACY = {
     vtkPullPushMapper: Accuracy(),
-    # a pixel has the normal and the depth of one point beside it; outlines, those of cuts too, are not filled
-    vtkImageSpacePointMapper: Accuracy(factor=2, missing=3),
+    # a pixel has the normal and the depth of one point beside it
+    vtkImageSpacePointMapper: Accuracy(factor=1.3, missing=2),
     # normals are fitted to what falls around a pixel; a splat is three sampling distances wide
     vtkDirectPointMapper: Accuracy(factor=1.5, beyond=4, missing=2),
     # colours are those of a quarter of the points

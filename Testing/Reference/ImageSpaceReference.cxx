@@ -151,6 +151,122 @@ bool ImageSpaceReference::FillPixel(
 }
 
 //------------------------------------------------------------------------------
+// How far out the pixel (x, y) lies in the disc of the point of (u, v), widened by half a pixel:
+// a disc C + s A + t B is projected to c + s a + t b to first order, where s^2 + t^2 <= 1.
+double ImageSpaceReference::GetDiscDistance(const Camera& camera, int x, int y, int u, int v) const
+{
+  const Pixel& point = this->Get(u, v);
+  const auto& n = point.Normal;
+  const double center[2] = { u + 0.5 + point.Displacement[0], v + 0.5 + point.Displacement[1] };
+  const double scale = camera.Parallel ? 1.0 : point.Depth;
+  double eye[3] = { 0.0, 0.0, -point.Depth };
+  for (int k = 0; k < 2; ++k)
+  {
+    eye[k] = (center[k] - camera.Center[k]) * scale / camera.Focal;
+  }
+  auto project = [&](const double* axis, double step, double* pixel)
+  {
+    const double depth = camera.Parallel ? 1.0 : -(eye[2] + step * axis[2]);
+    for (int k = 0; k < 2; ++k)
+    {
+      pixel[k] = camera.Center[k] + camera.Focal * (eye[k] + step * axis[k]) / depth;
+    }
+  };
+  // an axis across the normal, and one across both
+  const int least = std::abs(n[0]) < 0.6 ? 0 : 1;
+  double first[3] = { -n[least] * n[0], -n[least] * n[1], -n[least] * n[2] };
+  first[least] += 1.0;
+  const double length = std::sqrt(first[0] * first[0] + first[1] * first[1] + first[2] * first[2]);
+  for (double& value : first)
+  {
+    value /= length;
+  }
+  const double second[3] = { n[1] * first[2] - n[2] * first[1], n[2] * first[0] - n[0] * first[2],
+    n[0] * first[1] - n[1] * first[0] };
+  const double radius = 0.6 * point.Radius;
+  const double step = 1e-4 * radius;
+  double xx = 0.5 * 0.5;
+  double yy = 0.5 * 0.5;
+  double xy = 0.0;
+  for (const double* axis : { static_cast<const double*>(first), second })
+  {
+    double before[2];
+    double after[2];
+    project(axis, -step, before);
+    project(axis, step, after);
+    const double a = radius * (after[0] - before[0]) / (2.0 * step);
+    const double b = radius * (after[1] - before[1]) / (2.0 * step);
+    xx += a * a;
+    yy += b * b;
+    xy += a * b;
+  }
+  const double dx = x + 0.5 - center[0];
+  const double dy = y + 0.5 - center[1];
+  return (yy * dx * dx - 2.0 * xy * dx * dy + xx * dy * dy) / (xx * yy - xy * xy);
+}
+
+//------------------------------------------------------------------------------
+void ImageSpaceReference::FillWithinDiscs(const Camera& camera, int reach, double layerDistance)
+{
+  struct Disc
+  {
+    const Pixel* Point;
+    double Distance;
+  };
+  auto isNear = [](double a, double b) { return std::abs(a - b) < 1e-4 * b; };
+  const ImageSpaceReference before = *this;
+  for (int y = 0; y < this->Height; ++y)
+  {
+    for (int x = 0; x < this->Width; ++x)
+    {
+      Pixel& pixel = this->At(x, y);
+      std::vector<Disc> discs;
+      int near = 0;
+      const double limit =
+        pixel.Depth > 0.0 ? pixel.Depth - layerDistance : std::numeric_limits<double>::infinity();
+      double front = std::numeric_limits<double>::infinity();
+      for (int v = y - reach; v <= y + reach; ++v)
+      {
+        for (int u = x - reach; u <= x + reach; ++u)
+        {
+          const Pixel& point = before.Get(u, v);
+          pixel.NearDecision |= point.Depth > 0.0 && IsClose(point.Depth, limit);
+          if (point.Depth == 0.0 || point.Depth > limit || (u == x && v == y))
+          {
+            continue;
+          }
+          const double distance = before.GetDiscDistance(camera, x, y, u, v);
+          pixel.NearDecision |= isNear(distance, 1.0) || isNear(distance, 4.0);
+          near += distance <= 4.0;
+          if (distance <= 1.0)
+          {
+            discs.push_back({ &point, distance });
+            front = std::min(front, point.Depth);
+          }
+        }
+      }
+      const Disc* best = nullptr;
+      for (const Disc& disc : discs)
+      {
+        pixel.NearDecision |= IsClose(disc.Point->Depth, front + layerDistance);
+        if (disc.Point->Depth > front + layerDistance)
+        {
+          continue;
+        }
+        pixel.NearDecision |= best && isNear(disc.Distance, best->Distance);
+        best = !best || disc.Distance < best->Distance ? &disc : best;
+      }
+      if (best && near >= 2)
+      {
+        const bool close = pixel.NearDecision;
+        pixel = *best->Point;
+        pixel.NearDecision = close;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 int ImageSpaceReference::FillBackground(int maximum, int reach)
 {
   for (int iteration = 0; iteration < maximum; ++iteration)

@@ -30,6 +30,9 @@ public:
     std::array<double, 3> Normal{};
     std::array<double, 4> Color{};
     int Source = -1; ///< id of the point that it came from
+    // Of a projected point, for FillWithinDiscs():
+    double Radius = 0.0;                  ///< in world units
+    std::array<double, 2> Displacement{}; ///< from the pixel's centre to the point, in pixels
     /**
      * A comparison that made this pixel what it is, or one that it depends on, was so close
      * (some units in the last place of a float) that rounding may turn it.
@@ -47,6 +50,24 @@ public:
    * A background pixel for what is outside.
    */
   const Pixel& Get(int x, int y) const;
+
+  /**
+   * Where eye coordinates fall: pixel = center + focal (x, y) / depth, without the division in a
+   * parallel projection; depth is -z.
+   */
+  struct Camera
+  {
+    double Focal = 1.0;
+    std::array<double, 2> Center{};
+    bool Parallel = false;
+  };
+
+  /**
+   * Not in the paper, see vtkDiscFillOptions: pixels that are empty, or behind by more than
+   * `layerDistance`, take the values of a point at most `reach` pixels off in whose disc they lie.
+   * The disc is projected by how its two axes are, not by a formula for its second moment.
+   */
+  void FillWithinDiscs(const Camera& camera, int reach, double layerDistance);
 
   /**
    * Section 4: fills background pixels, at most `maximum` times; returns how often any was filled.
@@ -93,6 +114,7 @@ private:
   bool MaskFits(int x, int y, double limit, CloseCalls closeCalls) const;
   bool IsOpen(int x, int y, double limit, int reach, CloseCalls closeCalls) const;
   bool FillPixel(const ImageSpaceReference& before, int x, int y, double limit, int reach);
+  double GetDiscDistance(const Camera& camera, int x, int y, int u, int v) const;
   bool IsInFront(const Pixel& pixel, double limit, CloseCalls closeCalls) const;
 
   int Width;
