@@ -10,9 +10,9 @@
 #include "vtkPointData.h"
 #include "vtkPointNormals.h"
 #include "vtkPointSpacing.h"
-#include "vtkProgressRelay.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkProgressRelay.h"
 #include "vtkSamplingDistance.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -72,8 +72,9 @@ vtkSmartPointer<vtkFloatArray> CopyOf(vtkFloatArray* array)
 }
 }
 
-std::vector<std::string> vtkDrawablePoints::Build(
-  vtkPolyData* input, const Needs& needs, const RadiusSource& source, vtkAlgorithm* caller)
+std::vector<std::string> vtkDrawablePoints::Build(vtkPolyData* input,
+  const std::vector<vtkIdType>& blocks, const Needs& needs, const RadiusSource& source,
+  vtkAlgorithm* caller)
 {
   this->Remarks.clear();
   this->Aborted = false;
@@ -99,6 +100,10 @@ std::vector<std::string> vtkDrawablePoints::Build(
   if (needs.SamplingDistance && this->NumberOfDrawnPoints > 0)
   {
     this->SelectSamplingDistance(source, caller);
+  }
+  if (needs.SpatialOrder && this->NumberOfDrawnPoints > 0)
+  {
+    this->OrderPoints(blocks, caller);
   }
   return this->Remarks;
 }
@@ -162,11 +167,7 @@ void vtkDrawablePoints::SelectPoints(vtkPolyData* input)
     }
   }
   this->NumberOfDrawnPoints = drawn;
-  if (ids != this->DrawnIds)
-  {
-    this->DrawnIds.swap(ids);
-    this->DrawnIdsTime.Modified();
-  }
+  this->DrawnIds.swap(ids);
   if (drawn == 0)
   {
     this->Cloud->SetPoints(vtkNew<vtkPoints>());
@@ -489,4 +490,52 @@ void vtkDrawablePoints::SelectSamplingDistance(const RadiusSource& source, vtkAl
     }
   }
   this->LargestRadius = this->MeanRadius = distance;
+}
+
+//------------------------------------------------------------------------------
+void vtkDrawablePoints::OrderPoints(const std::vector<vtkIdType>& blocks, vtkAlgorithm* caller)
+{
+  std::vector<vtkIdType> starts = blocks;
+  if (!this->DrawnIds.empty())
+  {
+    for (vtkIdType& start : starts)
+    {
+      start = std::lower_bound(
+                this->DrawnIds.begin(), this->DrawnIds.end(), static_cast<unsigned int>(start)) -
+        this->DrawnIds.begin();
+    }
+  }
+  vtkPoints* points = this->Cloud->GetPoints();
+  this->Order.Update(points, this->DrawnIds, starts, caller);
+  auto ordered = vtkSmartPointer<vtkPolyData>::New();
+  vtkDataArray* coordinates = this->Arrange("coordinates", points->GetData());
+  if (!this->OrderedPoints || this->OrderedPoints->GetData() != coordinates)
+  {
+    this->OrderedPoints = vtkSmartPointer<vtkPoints>::New();
+    this->OrderedPoints->SetData(coordinates); // which makes the array a modified one
+  }
+  ordered->SetPoints(this->OrderedPoints);
+  ordered->GetPointData()->SetNormals(
+    this->Arrange("normals", this->Cloud->GetPointData()->GetNormals()));
+  this->Cloud = ordered;
+  this->Radii = static_cast<vtkFloatArray*>(this->Arrange("radii", this->Radii));
+}
+
+vtkDataArray* vtkDrawablePoints::Arrange(const std::string& use, vtkDataArray* array)
+{
+  if (!array)
+  {
+    this->ArrangedArrays.erase(use);
+    return nullptr;
+  }
+  Arranged& arranged = this->ArrangedArrays[use];
+  if (arranged.Source != array || arranged.SourceTime != array->GetMTime() ||
+    arranged.OrderTime != this->Order.GetTime())
+  {
+    arranged.Source = array;
+    arranged.SourceTime = array->GetMTime();
+    arranged.OrderTime = this->Order.GetTime();
+    arranged.Array = this->Order.Arrange(array);
+  }
+  return arranged.Array;
 }

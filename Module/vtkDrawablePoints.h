@@ -5,8 +5,10 @@
  *          radius where the mapper needs them
  *
  * Takes the points of a vtkPolyData and what the user said of radii, and keeps the faults of the
- * data away from the graphics card. Points and attributes keep their order and count, so that ids
- * and colour arrays stay true; points that cannot be drawn are left out of the list of ids to draw.
+ * data away from the graphics card. Where asked, what is to be drawn is brought to an order of
+ * space: points that cannot be drawn are left out then, GetOrder() says which point is where, and
+ * Arrange() brings arrays of the input, as of colours, to the same order. Else points and
+ * attributes keep their order and count.
  * Not wrapped, not installed: it serves vtkPointSurfaceMapper.
  */
 #ifndef vtkDrawablePoints_h
@@ -15,9 +17,11 @@
 #include "vtkKeptArray.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
+#include "vtkSpatialOrder.h"
 #include "vtkTimeStamp.h"
 #include "vtkType.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -56,15 +60,17 @@ public:
     bool Normals = true;
     bool Radii = true;
     bool SamplingDistance = false;
+    bool SpatialOrder = true;
   };
 
   /**
-   * Reads `input`. Returns what has to be said of the data, a line each; empty if there is nothing.
-   * Estimates report their progress as that of `caller`, and stop when it is told to abort: then
-   * all normals face the viewer, and radii are 0. Such estimates are not kept.
+   * Reads `input`, of which blocks begin at the points `blocks`. Returns what has to be said of the
+   * data, a line each; empty if there is nothing. Estimates report their progress as that of
+   * `caller`, and stop when it is told to abort: then all normals face the viewer, and radii are 0.
+   * Such estimates are not kept.
    */
-  std::vector<std::string> Build(
-    vtkPolyData* input, const Needs& needs, const RadiusSource& source, vtkAlgorithm* caller);
+  std::vector<std::string> Build(vtkPolyData* input, const std::vector<vtkIdType>& blocks,
+    const Needs& needs, const RadiusSource& source, vtkAlgorithm* caller);
 
   /**
    * Whether an estimate of the last Build() was aborted.
@@ -72,13 +78,14 @@ public:
   bool WasAborted() const { return this->Aborted; }
 
   /**
-   * The cloud: the input's point arrays, points that are all finite, "Normals" that are finite (a
-   * zero normal means: facing the viewer) where they are needed, else none, and no cells.
+   * The cloud: points that are all finite, "Normals" that are finite (a zero normal means: facing
+   * the viewer) where they are needed, else none, and no cells; in the order of space, or else with
+   * all points and point arrays of the input.
    */
   vtkPolyData* GetCloud() const { return this->Cloud; }
 
   /**
-   * A radius for each point; nullptr when all have the radius `GetUniformRadius()`.
+   * A radius for each point of the cloud; nullptr when all have the radius `GetUniformRadius()`.
    */
   vtkFloatArray* GetRadii() const { return this->Radii; }
 
@@ -97,12 +104,21 @@ public:
   ///@}
 
   /**
-   * Ids of the points to draw, and when they last changed; empty when all
-   * `GetNumberOfDrawnPoints()` of them are drawn.
+   * Ids of the input's points to draw, in rising order; empty when all `GetNumberOfDrawnPoints()`
+   * of them are drawn.
    */
   const std::vector<unsigned int>& GetDrawnIds() const { return this->DrawnIds; }
-  vtkMTimeType GetDrawnIdsTime() const { return this->DrawnIdsTime; }
   vtkIdType GetNumberOfDrawnPoints() const { return this->NumberOfDrawnPoints; }
+
+  ///@{
+  /**
+   * The order of space, which the cloud is in; and an array with a tuple for each point of the
+   * input in that order: the same one as before where neither has changed. Each `use` of arrays has
+   * a name. nullptr for nullptr.
+   */
+  const vtkSpatialOrder& GetOrder() const { return this->Order; }
+  vtkDataArray* Arrange(const std::string& use, vtkDataArray* array);
+  ///@}
 
   /**
    * When Build() was last called.
@@ -122,6 +138,7 @@ private:
   void EstimateNormals(vtkAlgorithm* caller);
   void EstimateRadii(vtkAlgorithm* caller);
   void SelectSamplingDistance(const RadiusSource& source, vtkAlgorithm* caller);
+  void OrderPoints(const std::vector<vtkIdType>& blocks, vtkAlgorithm* caller);
   double GetDiagonal() const;
   void Say(const std::string& line) { this->Remarks.push_back(line); }
 
@@ -148,9 +165,18 @@ private:
   double LargestRadius = 0.0;
   double MeanRadius = 0.0;
   std::vector<unsigned int> DrawnIds;
-  vtkTimeStamp DrawnIdsTime;
   vtkIdType NumberOfDrawnPoints = 0;
   double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
+  vtkSpatialOrder Order;
+  vtkSmartPointer<vtkPoints> OrderedPoints;
+  struct Arranged
+  {
+    vtkDataArray* Source = nullptr; // only compared
+    vtkMTimeType SourceTime = 0;
+    vtkMTimeType OrderTime = 0;
+    vtkSmartPointer<vtkDataArray> Array;
+  };
+  std::map<std::string, Arranged> ArrangedArrays; // by their uses
   std::vector<std::string> Remarks;
   bool Aborted = false;
   vtkTimeStamp BuildTime;

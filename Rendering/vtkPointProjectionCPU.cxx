@@ -40,17 +40,17 @@ constexpr size_t FetchAhead = 12;
 /// No point: above every key of MakeKey().
 constexpr std::uint64_t NoPoint = ~std::uint64_t(0);
 
-/// A number that orders points by depth and, where depths are the same, by id.
-std::uint64_t MakeKey(float depth, unsigned int id)
+/// A number that orders points by depth and, where depths are the same, by place in the order.
+std::uint64_t MakeKey(float depth, unsigned int place)
 {
   std::uint32_t bits;
   std::memcpy(&bits, &depth, sizeof(bits));
   // floats of one sign are ordered as their bits are
   bits = bits & 0x80000000u ? ~bits : bits | 0x80000000u;
-  return (std::uint64_t(bits) << 32) | id;
+  return (std::uint64_t(bits) << 32) | place;
 }
 
-unsigned int GetId(std::uint64_t key)
+unsigned int GetPlace(std::uint64_t key)
 {
   return static_cast<unsigned int>(key & 0xffffffffu);
 }
@@ -344,8 +344,17 @@ struct vtkPointProjectionCPU::Part
     return static_cast<int>((this->Blocks.size() + ChunkBlocks - 1) / ChunkBlocks);
   }
 
-  /// Where the arrays of the cloud have a point of the image.
-  size_t GetOwnId(unsigned int id) const { return id - static_cast<size_t>(this->Source->FirstId); }
+  /// Where the arrays of the cloud have the point at a place among all.
+  size_t GetOwnPlace(unsigned int place) const
+  {
+    return place - static_cast<size_t>(this->Source->FirstId);
+  }
+
+  unsigned int GetId(unsigned int place) const
+  {
+    const std::vector<unsigned int>& ids = this->Source->Projection->Points->GetOrder().GetIds();
+    return ids[this->GetOwnPlace(place)] + static_cast<unsigned int>(this->Source->FirstId);
+  }
 };
 
 std::vector<vtkPointProjectionCPU::Part> vtkPointProjectionCPU::MakeParts(
@@ -367,10 +376,10 @@ std::vector<vtkPointProjectionCPU::Part> vtkPointProjectionCPU::MakeParts(
 }
 
 const vtkPointProjectionCPU::Part& vtkPointProjectionCPU::GetPart(
-  const std::vector<Part>& parts, unsigned int id)
+  const std::vector<Part>& parts, unsigned int place)
 {
   size_t i = parts.size() - 1;
-  while (id < parts[i].Source->FirstId)
+  while (place < parts[i].Source->FirstId)
   {
     --i;
   }
@@ -382,22 +391,20 @@ int vtkPointProjectionCPU::GetNumberOfBands(const Transform& transform)
   return (transform.Rectangle[3] + BandRows - 1) / BandRows;
 }
 
-inline float vtkPointProjectionCPU::GetRadius(size_t id) const
+inline float vtkPointProjectionCPU::GetRadius(size_t place) const
 {
-  return this->Radii ? this->Radii[id] : static_cast<float>(this->Points->GetUniformRadius());
+  return this->Radii ? this->Radii[place] : static_cast<float>(this->Points->GetUniformRadius());
 }
 
-/// Calls take(chunk, pixel, depth, id) for the points of some chunks of a part that fall into the
-/// rectangle and that isWanted(pixel, depth, id) is true of; those of a chunk in their order and
-/// from one thread.
+/// Calls take(chunk, pixel, depth, place) for the points of some chunks of a part that fall into
+/// the rectangle and that isWanted(pixel, depth, place) is true of; those of a chunk in their order
+/// and from one thread.
 template <typename IsWanted, typename Take>
 void vtkPointProjectionCPU::ForSeenPoints(
   const Part& part, int firstChunk, int endChunk, const IsWanted& isWanted, const Take& take)
 {
   const vtkPointProjectionCPU& cloud = *part.Source->Projection;
   const auto firstId = static_cast<unsigned int>(part.Source->FirstId);
-  const std::vector<unsigned int>& listed = cloud.Points->GetDrawnIds();
-  const unsigned int* ids = listed.empty() ? nullptr : listed.data();
   const bool culls = part.View.Cull != vtkPointSurfaceView::NoCulling;
   auto drawChunk = [&](vtkIdType chunk)
   {
@@ -413,15 +420,14 @@ void vtkPointProjectionCPU::ForSeenPoints(
       const vtkIdType first = part.Blocks[block][0];
       const int size = static_cast<int>(part.Blocks[block][1] - first);
       cloud.FloatPositions
-        ? Load(positions, first, size, cloud.FloatPositions, ids, cloud.Origin.data())
-        : Load(positions, first, size, cloud.DoublePositions, ids, cloud.Origin.data());
+        ? Load(positions, first, size, cloud.FloatPositions, nullptr, cloud.Origin.data())
+        : Load(positions, first, size, cloud.DoublePositions, nullptr, cloud.Origin.data());
       if (culls)
       {
-        Load(normals, first, size, cloud.Normals, ids, zero);
+        Load(normals, first, size, cloud.Normals, nullptr, zero);
       }
       ProjectBlock(positions, normals, size, part.View, pixels, depths);
-      const auto idOf = [ids, first, firstId](int i)
-      { return static_cast<unsigned int>(ids ? ids[first + i] : first + i) + firstId; };
+      const unsigned int firstPlace = static_cast<unsigned int>(first) + firstId;
       // without branches that half of the points would take
       int seen = 0;
       for (int i = 0; i < size; ++i)
@@ -434,12 +440,12 @@ void vtkPointProjectionCPU::ForSeenPoints(
       {
         const int i = list[k];
         list[wanted] = i;
-        wanted += isWanted(pixels[i], depths[i], idOf(i)) ? 1 : 0;
+        wanted += isWanted(pixels[i], depths[i], firstPlace + i) ? 1 : 0;
       }
       for (int k = 0; k < wanted; ++k)
       {
         const int i = list[k];
-        take(static_cast<int>(chunk), pixels[i], depths[i], idOf(i));
+        take(static_cast<int>(chunk), pixels[i], depths[i], firstPlace + i);
       }
     }
   };
@@ -483,10 +489,10 @@ void vtkPointProjectionCPU::FindVisiblePoints(const Part& part)
 {
   ForSeenPoints(
     part, 0, part.GetNumberOfChunks(),
-    [this](int pixel, float depth, unsigned int id)
-    { return MakeKey(depth, id) < this->Nearest[pixel].load(std::memory_order_relaxed); },
-    [this](int, int pixel, float depth, unsigned int id)
-    { KeepLeast(this->Nearest[pixel], MakeKey(depth, id)); });
+    [this](int pixel, float depth, unsigned int place)
+    { return MakeKey(depth, place) < this->Nearest[pixel].load(std::memory_order_relaxed); },
+    [this](int, int pixel, float depth, unsigned int place)
+    { KeepLeast(this->Nearest[pixel], MakeKey(depth, place)); });
 }
 
 /// The same for the farthest points that are within the limits.
@@ -495,8 +501,8 @@ void vtkPointProjectionCPU::FindFarthestPoints(const Part& part)
   ForSeenPoints(
     part, 0, part.GetNumberOfChunks(),
     [this](int pixel, float depth, unsigned int) { return depth <= this->Limits[pixel]; },
-    [this](int, int pixel, float depth, unsigned int id)
-    { KeepLeast(this->Nearest[pixel], MakeKey(-depth, id)); });
+    [this](int, int pixel, float depth, unsigned int place)
+    { KeepLeast(this->Nearest[pixel], MakeKey(-depth, place)); });
 }
 
 //------------------------------------------------------------------------------
@@ -532,7 +538,7 @@ void vtkPointProjectionCPU::FetchRow(const std::vector<Part>& parts,
 {
   const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
   image.ClearBlocks(y, image.GetBlockBegin(), image.GetBlockEnd());
-  std::vector<std::pair<int, unsigned int>> visible; // columns and ids
+  std::vector<std::pair<int, unsigned int>> visible; // columns and places
   const std::atomic<std::uint64_t>* nearest =
     &this->Nearest[static_cast<size_t>(y - r[1]) * (r[2] - r[0])];
   for (int x = r[0]; x < r[2]; ++x, ++nearest)
@@ -540,7 +546,7 @@ void vtkPointProjectionCPU::FetchRow(const std::vector<Part>& parts,
     const std::uint64_t key = nearest->load(std::memory_order_relaxed);
     if (key != NoPoint)
     {
-      visible.emplace_back(x, GetId(key));
+      visible.emplace_back(x, GetPlace(key));
     }
   }
   for (size_t i = 0; i < visible.size(); ++i)
@@ -551,8 +557,9 @@ void vtkPointProjectionCPU::FetchRow(const std::vector<Part>& parts,
       Prefetch(GetPart(parts, ahead), ahead);
     }
     const int x = visible[i].first;
-    const unsigned int id = visible[i].second;
-    const Footprint point = GetFootprint(GetPart(parts, id), options, id, x, y);
+    const unsigned int place = visible[i].second;
+    const Part& part = GetPart(parts, place);
+    const Footprint point = GetFootprint(part, options, place, x, y);
     image.GetOccupied(y)[x / vtkSurfaceImage::BlockSize] = 1;
     float* pixel = image.GetRow(y, 0) + x;
     const size_t plane = image.GetPlaneStride();
@@ -568,7 +575,7 @@ void vtkPointProjectionCPU::FetchRow(const std::vector<Part>& parts,
     pixel[vtkSurfaceImage::CenterY * plane] = point.Center[1];
     if (image.HasIds())
     {
-      image.GetIds(y)[x] = id + 1;
+      image.GetIds(y)[x] = part.GetId(place) + 1;
     }
     for (int k = 0; image.HasColors() && k < 4; ++k)
     {
@@ -654,19 +661,19 @@ void vtkPointProjectionCPU::ListCompanions(const Part& part,
   const float uniform = scale * cloud.GetRadius(0);
   ForSeenPoints(
     part, firstChunk, std::min(firstChunk + RoundChunks, part.GetNumberOfChunks()),
-    [&](int pixel, float depth, unsigned int id)
+    [&](int pixel, float depth, unsigned int place)
     {
       const std::uint64_t nearest = this->Nearest[pixel].load(std::memory_order_relaxed);
-      const float reach = radii ? scale * radii[part.GetOwnId(id)] : uniform;
-      return (GetId(nearest) != id) & (depth <= GetDepth(nearest) + reach);
+      const float reach = radii ? scale * radii[part.GetOwnPlace(place)] : uniform;
+      return (GetPlace(nearest) != place) & (depth <= GetDepth(nearest) + reach);
     },
-    [&](int chunk, int pixel, float, unsigned int id)
+    [&](int chunk, int pixel, float, unsigned int place)
     {
       const int row = pixel / width;
       const int x = rectangle[0] + pixel - row * width;
       const int y = rectangle[1] + row;
       this->Companions[(chunk - firstChunk) * bands + row / BandRows].push_back(
-        { x, y, twoSided, GetFootprint(part, options, id, x, y) });
+        { x, y, twoSided, GetFootprint(part, options, place, x, y) });
     });
 }
 
@@ -756,33 +763,33 @@ void vtkPointProjectionCPU::WriteAverages(
 }
 
 //------------------------------------------------------------------------------
-inline void vtkPointProjectionCPU::Prefetch(const Part& part, unsigned int jointId)
+inline void vtkPointProjectionCPU::Prefetch(const Part& part, unsigned int jointPlace)
 {
   const vtkPointProjectionCPU& cloud = *part.Source->Projection;
-  const size_t id = part.GetOwnId(jointId);
+  const size_t place = part.GetOwnPlace(jointPlace);
   if (cloud.Normals)
   {
-    VTK_POINT_SURFACE_PREFETCH(cloud.Normals + 3 * id);
+    VTK_POINT_SURFACE_PREFETCH(cloud.Normals + 3 * place);
   }
   VTK_POINT_SURFACE_PREFETCH(cloud.FloatPositions
-      ? static_cast<const void*>(cloud.FloatPositions + 3 * id)
-      : cloud.DoublePositions + 3 * id);
+      ? static_cast<const void*>(cloud.FloatPositions + 3 * place)
+      : cloud.DoublePositions + 3 * place);
   if (cloud.Radii)
   {
-    VTK_POINT_SURFACE_PREFETCH(cloud.Radii + id);
+    VTK_POINT_SURFACE_PREFETCH(cloud.Radii + place);
   }
 }
 
 inline vtkPointProjectionCPU::Footprint vtkPointProjectionCPU::GetFootprint(
-  const Part& part, const vtkPointProjectionOptions& options, unsigned int jointId, int x, int y)
+  const Part& part, const vtkPointProjectionOptions& options, unsigned int jointPlace, int x, int y)
 {
   const vtkPointProjectionCPU& cloud = *part.Source->Projection;
   const Transform& t = part.View;
-  const size_t id = part.GetOwnId(jointId);
+  const size_t place = part.GetOwnPlace(jointPlace);
   Footprint point;
   const float none[3] = { 0.0f, 0.0f, 0.0f };
-  const float* n = cloud.Normals ? cloud.Normals + 3 * id : none;
-  const std::array<float, 3> p = cloud.GetPosition(id);
+  const float* n = cloud.Normals ? cloud.Normals + 3 * place : none;
+  const std::array<float, 3> p = cloud.GetPosition(place);
   float eye[3];
   float normal[3];
   for (int k = 0; k < 3; ++k)
@@ -811,31 +818,31 @@ inline vtkPointProjectionCPU::Footprint vtkPointProjectionCPU::GetFootprint(
     point.Normal[k] = normal[k] / length;
   }
   point.Depth = -eye[2];
-  point.Radius = t.RadiusScale * cloud.GetRadius(id);
-  point.Color = cloud.Colors ? cloud.GetColor(id) : part.Source->Color;
+  point.Radius = t.RadiusScale * cloud.GetRadius(place);
+  point.Color = cloud.Colors ? cloud.GetColor(place) : part.Source->Color;
   return point;
 }
 
-inline std::array<float, 3> vtkPointProjectionCPU::GetPosition(size_t id) const
+inline std::array<float, 3> vtkPointProjectionCPU::GetPosition(size_t place) const
 {
   std::array<float, 3> position;
   for (int k = 0; k < 3; ++k)
   {
     position[k] = this->FloatPositions
-      ? this->FloatPositions[3 * id + k] - static_cast<float>(this->Origin[k])
-      : static_cast<float>(this->DoublePositions[3 * id + k] - this->Origin[k]);
+      ? this->FloatPositions[3 * place + k] - static_cast<float>(this->Origin[k])
+      : static_cast<float>(this->DoublePositions[3 * place + k] - this->Origin[k]);
   }
   return position;
 }
 
-std::array<float, 4> vtkPointProjectionCPU::GetColor(size_t id) const
+std::array<float, 4> vtkPointProjectionCPU::GetColor(size_t place) const
 {
   std::array<float, 4> color = { 0.0f, 0.0f, 0.0f, 1.0f };
   const int size = this->Colors->GetNumberOfComponents();
   for (int k = 0; k < std::min(size, this->ByteColors ? 4 : 2); ++k)
   {
-    color[k] = this->ByteColors ? this->ByteColors[size * id + k] / 255.0f
-                                : this->FloatColors[size * id + k];
+    color[k] = this->ByteColors ? this->ByteColors[size * place + k] / 255.0f
+                                : this->FloatColors[size * place + k];
   }
   return color;
 }
@@ -918,12 +925,10 @@ vtkPointProjectionCPU::EyeBlocks::EyeBlocks(
   for (size_t part = 0; part < this->Parts.size(); ++part)
   {
     const Cloud& cloud = *this->Parts[part].Source;
-    const bool listed = !cloud.Projection->Points->GetDrawnIds().empty();
-    const int level = listed ? 0 : thinning; // of a list's ids each is looked at
     for (const auto& range : cloud.View.Ranges)
     {
-      const vtkIdType end = ((range[1] - 1) >> level) + 1;
-      for (vtkIdType first = range[0] >> level; first < end; first += BlockSize)
+      const vtkIdType end = ((range[1] - 1) >> thinning) + 1;
+      for (vtkIdType first = range[0] >> thinning; first < end; first += BlockSize)
       {
         this->Spans.push_back({ part, first, std::min<vtkIdType>(first + BlockSize, end), range });
       }
@@ -933,20 +938,16 @@ vtkPointProjectionCPU::EyeBlocks::EyeBlocks(
 
 vtkPointProjectionCPU::EyeBlocks::~EyeBlocks() = default;
 
-/// The ids of a span's points, where they are not simply those from its begin to its end.
-int vtkPointProjectionCPU::EyeBlocks::ListIds(const Span& span, unsigned int* ids) const
+/// The places of a span's points in the cloud.
+int vtkPointProjectionCPU::EyeBlocks::ListPlaces(const Span& span, unsigned int* places) const
 {
-  const std::vector<unsigned int>& list =
-    this->Parts[span.PartIndex].Source->Projection->Points->GetDrawnIds();
   int count = 0;
-  for (vtkIdType i = span.Begin; i < span.End; ++i)
+  for (vtkIdType group = span.Begin; group < span.End; ++group)
   {
-    const auto index = static_cast<unsigned int>(i);
-    const unsigned int id =
-      list.empty() ? vtkPointThinning::GetPoint(index, this->Thinning) : list[index];
-    ids[count] = id;
-    count += list.empty() ? id >= span.Range[0] && id < span.Range[1] // a group may reach over it
-                          : vtkPointThinning::GetPoint(id >> this->Thinning, this->Thinning) == id;
+    const unsigned int place =
+      vtkPointThinning::GetPoint(static_cast<unsigned int>(group), this->Thinning);
+    places[count] = place;
+    count += place >= span.Range[0] && place < span.Range[1]; // a group may reach over it
   }
   return count;
 }
@@ -956,21 +957,17 @@ void vtkPointProjectionCPU::EyeBlocks::Fetch(size_t index, EyePoints& points) co
   const Span& span = this->Spans[index];
   const Part& part = this->Parts[span.PartIndex];
   const vtkPointProjectionCPU& cloud = *part.Source->Projection;
+  const std::vector<unsigned int>& ids = cloud.Points->GetOrder().GetIds();
   const auto firstId = static_cast<unsigned int>(part.Source->FirstId);
   const double zero[3] = { 0.0, 0.0, 0.0 };
-  unsigned int ids[BlockSize + 1];
+  unsigned int places[BlockSize + 1];
   Block positions;
   Block normals = {};
   float radii[BlockSize];
   int seen[BlockSize];
-  const bool all = this->Thinning == 0 && cloud.Points->GetDrawnIds().empty();
-  int count = static_cast<int>(span.End - span.Begin);
-  if (!all)
-  {
-    count = this->ListIds(span, ids);
-  }
-  const vtkIdType first = all ? span.Begin : 0;
-  const unsigned int* listed = all ? nullptr : ids;
+  const int count = this->ListPlaces(span, places);
+  const vtkIdType first = this->Thinning == 0 ? span.Begin : 0;
+  const unsigned int* listed = this->Thinning == 0 ? nullptr : places;
   cloud.FloatPositions
     ? Load(positions, first, count, cloud.FloatPositions, listed, cloud.Origin.data())
     : Load(positions, first, count, cloud.DoublePositions, listed, cloud.Origin.data());
@@ -980,8 +977,7 @@ void vtkPointProjectionCPU::EyeBlocks::Fetch(size_t index, EyePoints& points) co
   }
   for (int i = 0; i < count; ++i)
   {
-    ids[i] = all ? static_cast<unsigned int>(first + i) : ids[i];
-    radii[i] = cloud.GetRadius(ids[i]);
+    radii[i] = cloud.GetRadius(places[i]);
   }
   TransformBlock(positions, normals, radii, count, part.View, this->ClippingReach, points, seen);
   // without a branch that half of the points would take
@@ -996,14 +992,15 @@ void vtkPointProjectionCPU::EyeBlocks::Fetch(size_t index, EyePoints& points) co
     points.NormalY[to] = points.NormalY[i];
     points.NormalZ[to] = points.NormalZ[i];
     points.Radius[to] = points.Radius[i];
-    points.Id[to] = firstId + ids[i];
+    points.Place[to] = firstId + places[i];
+    points.Id[to] = firstId + ids[places[i]];
     points.Count += seen[i];
   }
 }
 
-std::array<float, 4> vtkPointProjectionCPU::EyeBlocks::GetColor(unsigned int id) const
+std::array<float, 4> vtkPointProjectionCPU::EyeBlocks::GetColor(unsigned int place) const
 {
-  const Part& part = GetPart(this->Parts, id);
+  const Part& part = GetPart(this->Parts, place);
   const vtkPointProjectionCPU& cloud = *part.Source->Projection;
-  return cloud.Colors ? cloud.GetColor(part.GetOwnId(id)) : part.Source->Color;
+  return cloud.Colors ? cloud.GetColor(part.GetOwnPlace(place)) : part.Source->Color;
 }

@@ -4,7 +4,7 @@
  * @brief   the step from points to an image with at most one pixel a point, by the processor
  *
  * The same as vtkPointProjectionOpenGL, for contexts whose OpenGL is run by the processor too: all
- * points go through a minimum of depth and id for each pixel, threaded by vtkSMPTools, and only
+ * points go through a minimum of depth and place for each pixel, threaded by vtkSMPTools, and only
  * those that stay visible have their normals, radii and colours fetched. Coordinates are taken
  * about the cloud's centre, so that those of 1e7 keep their detail. The result does not depend on
  * the number of threads.
@@ -36,8 +36,8 @@ public:
 
   /**
    * What is drawn: `points`, which have to outlive the use here, and what the layer Color carries
-   * of them, a tuple a point: colours as unsigned chars, or texture coordinates as any other type;
-   * nullptr for none.
+   * of them, a tuple for each point of their cloud: colours as unsigned chars, or texture
+   * coordinates as any other type; nullptr for none.
    */
   void SetPoints(const vtkDrawablePoints* points, vtkDataArray* colors);
 
@@ -47,9 +47,9 @@ public:
   vtkMTimeType GetColorsTime() const { return this->ColorsTime; }
 
   /**
-   * What the layer Color carries of a point; there is something.
+   * What the layer Color carries of a point of the cloud; there is something.
    */
-  std::array<float, 4> GetColor(size_t id) const;
+  std::array<float, 4> GetColor(size_t place) const;
 
   /**
    * A cloud to draw: its projection, and a view whose MCVC is of the points' own coordinates; what
@@ -64,7 +64,7 @@ public:
   };
 
   /**
-   * Draws the points of the views' ranges of clouds, in the order of their ids, into `image`, which
+   * Draws the points of the views' ranges of clouds, in the order of space, into `image`, which
    * is allocated for a rectangle that all views have. With `nearest`, the result of such a run with
    * centre depths, a pixel gets the farthest point within the options' depth tolerance behind its
    * nearest one.
@@ -76,7 +76,7 @@ public:
 
   /**
    * Points in eye coordinates: normals of unit length, those that are not known facing the viewer;
-   * radii in eye units; ids among the points of all clouds.
+   * radii in eye units; places among the points of all clouds, and ids.
    */
   struct EyePoints
   {
@@ -85,6 +85,7 @@ public:
     alignas(64) float X[Capacity], Y[Capacity], Z[Capacity];
     alignas(64) float NormalX[Capacity], NormalY[Capacity], NormalZ[Capacity];
     alignas(64) float Radius[Capacity];
+    unsigned int Place[Capacity];
     unsigned int Id[Capacity];
   };
   class EyeBlocks;
@@ -102,7 +103,7 @@ private:
 
   Transform GetTransform(const vtkPointSurfaceView& view) const;
   static std::vector<Part> MakeParts(const std::vector<Cloud>& clouds);
-  static const Part& GetPart(const std::vector<Part>& parts, unsigned int id);
+  static const Part& GetPart(const std::vector<Part>& parts, unsigned int place);
   template <typename IsWanted, typename Take>
   static void ForSeenPoints(
     const Part& part, int firstChunk, int endChunk, const IsWanted& isWanted, const Take& take);
@@ -121,11 +122,11 @@ private:
   static void WriteAverages(
     const BandSums& bandSums, const vtkPointProjectionOptions& options, vtkSurfaceImage& image);
   static Footprint GetFootprint(
-    const Part& part, const vtkPointProjectionOptions& options, unsigned int id, int x, int y);
+    const Part& part, const vtkPointProjectionOptions& options, unsigned int place, int x, int y);
   static int GetNumberOfBands(const Transform& transform);
-  float GetRadius(size_t id) const;
-  static void Prefetch(const Part& part, unsigned int id);
-  std::array<float, 3> GetPosition(size_t id) const; // about the origin
+  float GetRadius(size_t place) const;
+  static void Prefetch(const Part& part, unsigned int place);
+  std::array<float, 3> GetPosition(size_t place) const; // about the origin
 
   const vtkDrawablePoints* Points = nullptr;
   vtkSmartPointer<vtkDataArray> Positions; // floats or doubles
@@ -140,7 +141,7 @@ private:
   vtkMTimeType ColorsTime = 0;
   std::array<double, 3> Origin{}; // of the coordinates that are worked with
 
-  // Of each pixel of the rectangle the depth and the id of the nearest point, see
+  // Of each pixel of the rectangle the depth and the place of the nearest point, see
   // vtkPointProjectionCPU.cxx.
   std::unique_ptr<std::atomic<std::uint64_t>[]> Nearest;
   size_t NearestSize = 0;
@@ -152,7 +153,7 @@ private:
 
 /**
  * The points of the views' ranges of clouds, thinned, those that are within the camera's clipping
- * range, not beyond clipping planes and not culled: block by block, in the order of their ids.
+ * range, not beyond clipping planes and not culled: block by block, in the order of space.
  */
 class vtkPointProjectionCPU::EyeBlocks
 {
@@ -165,8 +166,8 @@ public:
   size_t GetSize() const { return this->Spans.size(); }
   void Fetch(size_t index, EyePoints& points) const;
 
-  /// What the layer Color carries of a point.
-  std::array<float, 4> GetColor(unsigned int id) const;
+  /// What the layer Color carries of the point at a place.
+  std::array<float, 4> GetColor(unsigned int place) const;
 
 private:
   /// Of a cloud, the first of some groups of points (see vtkPointThinning) and the end.
@@ -176,7 +177,7 @@ private:
     vtkIdType Begin, End;
     std::array<vtkIdType, 2> Range;
   };
-  int ListIds(const Span& span, unsigned int* ids) const;
+  int ListPlaces(const Span& span, unsigned int* places) const;
 
   std::vector<Part> Parts;
   std::vector<Span> Spans;

@@ -9,7 +9,7 @@
 
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
-#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
@@ -56,11 +56,7 @@ size_t vtkPointProjectionOpenGL::UploadIds(const std::vector<unsigned int>& ids,
     return 0;
   }
   this->IdsTime = time;
-  this->Ids->IndexCount = ids.size();
-  if (!ids.empty())
-  {
-    this->Ids->Upload(ids, vtkOpenGLIndexBufferObject::ElementArrayBuffer);
-  }
+  this->Ids->Upload(ids, vtkOpenGLBufferObject::ArrayBuffer);
   return ids.size() * sizeof(unsigned int);
 }
 
@@ -135,7 +131,7 @@ void vtkPointProjectionOpenGL::DrawFirst(vtkOpenGLRenderWindow* window,
       {
         nearest->SetSamplers(program, "nearest");
       }
-      cloud.Projection->DrawRanges(pass, cloud.View);
+      DrawRanges(pass, cloud.View);
     }
   }
   if (nearest)
@@ -173,7 +169,7 @@ void vtkPointProjectionOpenGL::DrawSums(vtkOpenGLRenderWindow* window,
     {
       this->Nearest.SetSamplers(program, "nearest");
       program->SetUniformi("twoSided", cloud.View.Cull == vtkPointSurfaceView::NoCulling);
-      cloud.Projection->DrawRanges(pass, cloud.View);
+      DrawRanges(pass, cloud.View);
     }
   }
   state->vtkglDisable(GL_BLEND);
@@ -238,7 +234,7 @@ vtkShaderProgram* vtkPointProjectionOpenGL::ReadyShaders(
       shaders.Fragment.c_str(), shaders.Geometry.c_str());
   if (program)
   {
-    BindAttributes(pass, program, cloud);
+    cloud.Projection->BindAttributes(pass, program, cloud);
     SetUniforms(program, cloud);
   }
   return program;
@@ -254,30 +250,21 @@ void vtkPointProjectionOpenGL::DrawBy(vtkOpenGLRenderWindow* window,
     if (vtkShaderProgram* program = ReadyShaders(window, pass, shaders, cloud))
     {
       setUniforms(program);
-      cloud.Projection->DrawRanges(pass, cloud.View);
+      DrawRanges(pass, cloud.View);
     }
   }
 }
 
 void vtkPointProjectionOpenGL::DrawRanges(Pass& pass, const vtkPointSurfaceView& view)
 {
-  const bool listed = this->Ids->IndexCount > 0;
-  if (listed)
-  {
-    this->Ids->Bind();
-  }
+  std::vector<GLint> firsts;
+  std::vector<GLsizei> counts;
   for (const auto& range : view.Ranges)
   {
-    const auto count = static_cast<GLsizei>(range[1] - range[0]);
-    const size_t offset = static_cast<size_t>(range[0]) * sizeof(GLuint);
-    listed
-      ? glDrawElements(GL_POINTS, count, GL_UNSIGNED_INT, reinterpret_cast<const GLvoid*>(offset))
-      : glDrawArrays(GL_POINTS, static_cast<GLint>(range[0]), count);
+    firsts.push_back(static_cast<GLint>(range[0]));
+    counts.push_back(static_cast<GLsizei>(range[1] - range[0]));
   }
-  if (listed)
-  {
-    this->Ids->Release();
-  }
+  glMultiDrawArrays(GL_POINTS, firsts.data(), counts.data(), static_cast<GLsizei>(firsts.size()));
   pass.VertexArray->Release();
 }
 
@@ -298,8 +285,22 @@ void vtkPointProjectionOpenGL::BindAttributes(
   {
     pass.VertexArray->RemoveAttributeArray("normalMC"); // which then reads as zero
   }
+  this->BindIds(program);
   pass.BoundProgram = program;
   pass.BindTime.Modified();
+}
+
+/// VTK's vertex arrays have floats alone, in which ids over 2^24 would not be told apart.
+void vtkPointProjectionOpenGL::BindIds(vtkShaderProgram* program)
+{
+  const GLint place = glGetAttribLocation(static_cast<GLuint>(program->GetHandle()), "pointId");
+  if (place >= 0)
+  {
+    this->Ids->Bind();
+    glEnableVertexAttribArray(static_cast<GLuint>(place));
+    glVertexAttribIPointer(static_cast<GLuint>(place), 1, GL_UNSIGNED_INT, 0, nullptr);
+    this->Ids->Release();
+  }
 }
 
 void vtkPointProjectionOpenGL::SetUniforms(vtkShaderProgram* program, const Cloud& cloud)

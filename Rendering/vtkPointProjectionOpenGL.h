@@ -25,7 +25,7 @@
 #include <string>
 #include <vector>
 
-class vtkOpenGLIndexBufferObject;
+class vtkOpenGLBufferObject;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexArrayObject;
 class vtkOpenGLVertexBufferObjectGroup;
@@ -62,8 +62,8 @@ public:
   ~vtkPointProjectionOpenGL();
 
   /**
-   * Ids of the points to draw; an empty list stands for all of them. `time` is when they were last
-   * changed; those that are there already are not sent again. Returns the bytes that were sent.
+   * The ids of the points in the order of the buffers. `time` is when they were last changed; those
+   * that are there already are not sent again. Returns the bytes that were sent.
    */
   size_t UploadIds(const std::vector<unsigned int>& ids, vtkMTimeType time);
 
@@ -117,11 +117,12 @@ private:
     const vtkPointProjectionOptions& options);
   static vtkShaderProgram* ReadyShaders(
     vtkOpenGLRenderWindow* window, Pass& pass, const Shaders& shaders, const Cloud& cloud);
-  void DrawRanges(Pass& pass, const vtkPointSurfaceView& view);
-  static void BindAttributes(Pass& pass, vtkShaderProgram* program, const Cloud& cloud);
+  static void DrawRanges(Pass& pass, const vtkPointSurfaceView& view);
+  void BindAttributes(Pass& pass, vtkShaderProgram* program, const Cloud& cloud);
+  void BindIds(vtkShaderProgram* program);
   static void SetUniforms(vtkShaderProgram* program, const Cloud& cloud);
 
-  vtkNew<vtkOpenGLIndexBufferObject> Ids;
+  vtkNew<vtkOpenGLBufferObject> Ids;
   vtkMTimeType IdsTime = 0;
   Pass FirstPass;
   Pass SumPass;

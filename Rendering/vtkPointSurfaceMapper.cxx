@@ -315,7 +315,14 @@ void vtkPointSurfaceMapper::UpdateDrawablePoints()
   needs.Normals = this->NeedsNormals();
   needs.Radii = this->NeedsRadii();
   needs.SamplingDistance = source.SamplingQuantile >= 0.0;
-  for (const std::string& remark : this->Internals->Points.Build(input, needs, source, this))
+  needs.SpatialOrder = this->UsesProjection();
+  std::vector<vtkIdType> blocks;
+  for (const vtkPointBlock& block : this->GetBlocks().GetBlocks())
+  {
+    blocks.push_back(block.First);
+  }
+  for (const std::string& remark :
+    this->Internals->Points.Build(input, blocks, needs, source, this))
   {
     vtkWarningMacro(<< remark);
   }
@@ -357,9 +364,10 @@ bool vtkPointSurfaceMapper::GetNeedToRebuildBufferObjects(vtkRenderer* renderer,
 vtkImageData* vtkPointSurfaceMapper::GetTextureOfPoints(vtkActor* actor)
 {
   vtkTexture* texture = actor->GetTexture();
-  vtkDataArray* coordinates = this->CurrentInput->GetPointData()->GetTCoords();
+  vtkPolyData* cloud = this->GetBlocks().GetCloud();
+  vtkDataArray* coordinates = cloud->GetPointData()->GetTCoords();
   const bool has = texture && !texture->GetCubeMap() && coordinates &&
-    coordinates->GetNumberOfTuples() >= this->CurrentInput->GetNumberOfPoints();
+    coordinates->GetNumberOfTuples() >= cloud->GetNumberOfPoints();
   return has ? texture->GetInput() : nullptr;
 }
 
@@ -380,7 +388,7 @@ std::vector<std::pair<vtkTexture*, std::string>> vtkPointSurfaceMapper::GetTextu
 void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
 {
   // As vtkOpenGLPolyDataMapper does it, less all that is about cells, plus radii.
-  const vtkDrawablePoints& points = this->Internals->Points;
+  vtkDrawablePoints& points = this->Internals->Points;
   this->Internals->TextureAtPoints = this->GetTextureOfPoints(actor) != nullptr;
   vtkDataArray* colors = this->GetPointColors(actor);
   if (this->ColorTextureMap)
@@ -406,15 +414,14 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
   vtkSmartPointer<vtkDataArray> normals = this->GetNormals();
   colors = this->RequireTuples(colors, "colours");
   vtkDataArray* coordinates = this->RequireTuples(this->GetPointColorCoordinates(), "scalars");
+  vtkDataArray* givenTCoords = this->GetBlocks().GetCloud()->GetPointData()->GetTCoords();
   // a pixel has room for one of them
-  vtkDataArray* tcoords = colors || coordinates
-    ? nullptr
-    : this->RequireTuples(cloud->GetPointData()->GetTCoords(), "texture coordinates");
+  vtkDataArray* tcoords =
+    colors || coordinates ? nullptr : this->RequireTuples(givenTCoords, "texture coordinates");
   if (colors && this->Internals->TextureAtPoints)
   {
-    vtkSmartPointer<vtkDataArray> textured =
-      vtkPointTexture::Multiply(vtkArrayDownCast<vtkUnsignedCharArray>(colors),
-        cloud->GetPointData()->GetTCoords(), actor->GetTexture());
+    vtkSmartPointer<vtkDataArray> textured = vtkPointTexture::Multiply(
+      vtkArrayDownCast<vtkUnsignedCharArray>(colors), givenTCoords, actor->GetTexture());
     colors = textured ? this->Internals->TexturedColors.Keep(textured) : colors;
   }
   if (!tcoords && !actor->GetProperty()->GetAllTextures().empty())
@@ -430,6 +437,12 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
     this->WarnOnce("The point array '" + this->ExtraAttributes.begin()->second.DataArrayName +
       "' is mapped to a vertex attribute, which has no use: pixels are shaded here, not vertices. "
       "Remove it (RemoveAllVertexAttributeMappings).");
+  }
+  if (this->UsesProjection())
+  {
+    colors = points.Arrange("colors", colors);
+    coordinates = points.Arrange("color coordinates", coordinates);
+    tcoords = points.Arrange("texture coordinates", tcoords);
   }
   if (this->UploadsStandIns())
   {
@@ -486,7 +499,7 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
     this->VBOInverseTransform->GetTranspose(this->VBOShiftScale);
   }
   this->LastFrameBytesUploaded +=
-    this->Internals->Projection.UploadIds(points.GetDrawnIds(), points.GetDrawnIdsTime());
+    this->Internals->Projection.UploadIds(points.GetOrder().GetIds(), points.GetOrder().GetTime());
   this->VBOBuildTime.Modified();
 }
 
@@ -505,7 +518,7 @@ vtkSmartPointer<vtkDataArray> vtkPointSurfaceMapper::GetNormals()
 
 vtkDataArray* vtkPointSurfaceMapper::RequireTuples(vtkDataArray* array, const char* what)
 {
-  const vtkIdType points = this->CurrentInput->GetNumberOfPoints();
+  const vtkIdType points = this->GetBlocks().GetCloud()->GetNumberOfPoints();
   if (!array || array->GetNumberOfTuples() >= points)
   {
     return array;
@@ -748,6 +761,7 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(
   {
     vtkMatrix4x4::Multiply4x4(this->VBOShiftScale, modelToEye, uploadedToEye);
   }
+  std::copy_n(modelToEye->GetData(), 16, view.ModelToEye.begin());
   std::copy_n(uploadedToEye->GetData(), 16, view.MCVC.begin());
   std::copy_n(eyeToClip->GetData(), 16, view.VCDC.begin());
   std::copy_n(normal->GetData(), 9, view.Normal.begin());
@@ -839,7 +853,7 @@ bool vtkPointSurfaceMapper::JoinSurface(vtkActor* actor, const vtkPointSurfaceVi
   const double* color = actor->GetProperty()->GetDiffuseColor();
   std::copy_n(color, 3, member.Color.begin());
   member.Color[3] = 1.0f;
-  member.NumberOfPoints = this->CurrentInput->GetNumberOfPoints();
+  member.NumberOfPoints = this->GetBlocks().GetCloud()->GetNumberOfPoints();
   // colours cannot be averaged with places in a texture
   const bool textured = vtkPointProjectionOpenGL::HasColors(this->VBOs) && !member.HasColors;
   if (this->HasJointForm() && !textured)
@@ -1045,14 +1059,17 @@ void vtkPointSurfaceMapper::EndProjection()
   FlushQuery();
 }
 
-vtkDrawnClouds vtkPointSurfaceMapper::GetDrawnClouds(const vtkPointSurfaceView& view, int thinning)
+vtkDrawnClouds vtkPointSurfaceMapper::GetDrawnClouds(
+  const vtkPointSurfaceView& view, int thinning, double reach)
 {
   vtkDrawnClouds clouds;
   for (const vtkJointSurface::Member& member : this->Internals->Projected)
   {
     vtkInternals& source = *member.Mapper->Internals;
     vtkPointSurfaceView ownView = member.GetView(view);
-    ownView.RadiusScale *= vtkPointThinning::GetRadiusFactor(thinning);
+    const double growth = vtkPointThinning::GetRadiusFactor(thinning);
+    ownView.RadiusScale *= growth;
+    ownView.LeaveOutUnseen(source.Points.GetOrder(), reach * growth * ownView.LargestRadius);
     member.Mapper->LastFramePointsDrawn +=
       vtkPointThinning::GetNumberOfGroups(ownView.GetNumberOfPoints(), thinning);
     if (this->LastFrameBackend == CPU)

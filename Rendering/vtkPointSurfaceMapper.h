@@ -138,11 +138,11 @@ public:
 
   ///@{
   /**
-   * What the last frame cost: points sent to projection; the rectangle of the viewport that was
-   * worked on (x, y, width, height in pixels from the viewport's lower left corner); levels of the
-   * image pyramid above the finest one, and passes over images; how often a surface buffer was
-   * made (0 when one of an earlier frame still held). In a frame that made none, points, levels
-   * and passes are 0.
+   * What the last frame cost: points sent to projection (those that may be in the picture); the
+   * rectangle of the viewport that was worked on (x, y, width, height in pixels from its lower left
+   * corner); levels of the image pyramid above the finest one, and passes over images; how often a
+   * surface buffer was made (0 when one of an earlier frame still held). In a frame that made none,
+   * points, levels and passes are 0.
    */
   vtkGetMacro(LastFramePointsDrawn, vtkIdType);
   vtkGetVector4Macro(LastFrameRectangle, int);
@@ -304,11 +304,13 @@ protected:
   ///@{
   /**
    * For subclasses that draw points by steps of their own in place of ProjectPoints(): the clouds,
-   * for the back end of the frame. Their points are counted for the statistics; if they are to be
-   * thinned (see vtkPointThinning), the views have larger radii to match. What the subclass does
+   * for the back end of the frame, less what lies outside of the image by more than `reach` radii.
+   * Their points are counted for the statistics; if they are to be thinned (see vtkPointThinning),
+   * the views have larger radii to match. What the subclass does
    * from BeginProjection() to EndProjection() is timed as projection, the rest as reconstruction.
    */
-  vtkDrawnClouds GetDrawnClouds(const vtkPointSurfaceView& view, int thinning = 0);
+  vtkDrawnClouds GetDrawnClouds(
+    const vtkPointSurfaceView& view, int thinning = 0, double reach = 0.0);
   void BeginProjection();
   void EndProjection();
   ///@}

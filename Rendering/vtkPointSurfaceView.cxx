@@ -3,6 +3,7 @@
 
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkSpatialOrder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -120,4 +121,84 @@ void vtkPointSurfaceView::SetExtent(
     this->Rectangle[2 + k] =
       static_cast<int>(std::min(std::max(end, 0.0), size)) - this->Rectangle[k];
   }
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+/// The planes that bound what is seen, in eye coordinates: inside is where all are over 0.
+std::array<std::array<double, 4>, 6> GetFrustum(const vtkPointSurfaceView& view)
+{
+  constexpr double Margin = 8.0; // pixels
+  std::array<std::array<double, 4>, 6> planes;
+  const auto& m = view.VCDC;
+  for (int side = 0; side < 6; ++side)
+  {
+    const int axis = side / 2;
+    const double sign = side % 2 == 0 ? 1.0 : -1.0;
+    const double width = axis < 2 ? 1.0 + 2.0 * Margin / view.Size[axis] : 1.0 + 1e-6;
+    for (int k = 0; k < 4; ++k)
+    {
+      planes[side][k] = width * m[4 * k + 3] + sign * m[4 * k + axis];
+    }
+  }
+  return planes;
+}
+
+/// Whether a box lies on the outer side of a plane, farther from it than a distance.
+bool IsOutside(const std::array<std::array<double, 3>, 8>& corners,
+  const std::array<double, 4>& plane, double distance)
+{
+  const double limit = -distance * vtkMath::Norm(plane.data());
+  return std::all_of(corners.begin(), corners.end(),
+    [&](const std::array<double, 3>& x)
+    { return plane[0] * x[0] + plane[1] * x[1] + plane[2] * x[2] + plane[3] < limit; });
+}
+
+std::array<std::array<double, 3>, 8> GetCorners(
+  const std::array<double, 6>& bounds, const std::array<double, 16>& m)
+{
+  std::array<std::array<double, 3>, 8> corners;
+  for (int c = 0; c < 8; ++c)
+  {
+    const double x[3] = { bounds[c & 1], bounds[2 + (c >> 1 & 1)], bounds[4 + (c >> 2)] };
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[c][k] = m[k] * x[0] + m[4 + k] * x[1] + m[8 + k] * x[2] + m[12 + k];
+    }
+  }
+  return corners;
+}
+}
+
+void vtkPointSurfaceView::LeaveOutUnseen(const vtkSpatialOrder& order, double reach)
+{
+  const auto planes = GetFrustum(*this);
+  const std::vector<vtkSpatialOrder::Chunk>& chunks = order.GetChunks();
+  std::vector<std::array<vtkIdType, 2>> seen;
+  for (const auto& range : this->Ranges)
+  {
+    auto chunk = std::upper_bound(chunks.begin(), chunks.end(), range[0],
+      [](vtkIdType place, const vtkSpatialOrder::Chunk& c) { return place < c.End; });
+    for (; chunk != chunks.end() && chunk->First < range[1]; ++chunk)
+    {
+      const auto corners = GetCorners(chunk->Bounds, this->ModelToEye);
+      bool isOutside = false;
+      for (size_t side = 0; side < planes.size() && !isOutside; ++side)
+      {
+        isOutside = IsOutside(corners, planes[side], side < 4 ? reach : 0.0);
+      }
+      const std::array<vtkIdType, 2> part = { std::max(range[0], chunk->First),
+        std::min(range[1], chunk->End) };
+      if (!isOutside && !seen.empty() && seen.back()[1] == part[0])
+      {
+        seen.back()[1] = part[1];
+      }
+      else if (!isOutside)
+      {
+        seen.push_back(part);
+      }
+    }
+  }
+  this->Ranges = seen;
 }

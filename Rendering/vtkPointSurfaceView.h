@@ -18,6 +18,7 @@
 #include <vector>
 
 class vtkMatrix4x4;
+class vtkSpatialOrder;
 
 struct vtkPointSurfaceView
 {
@@ -29,6 +30,7 @@ struct vtkPointSurfaceView
     FrontfaceCulling
   };
 
+  std::array<double, 16> ModelToEye{}; ///< from the points' coordinates to the eye
   std::array<double, 16> MCVC{}; ///< from uploaded coordinates (VBO shift and scale) to the eye
   std::array<double, 16> VCDC{}; ///< from the eye to clip coordinates
   std::array<double, 9> Normal{};
@@ -66,6 +68,10 @@ struct vtkPointSurfaceView
     }
     return count;
   }
+
+  /// Leaves out of the ranges what is outside of the image by more than `reach` (in eye units) and
+  /// a few pixels, or outside of the clipping range, by chunks of the order that the points are in.
+  void LeaveOutUnseen(const vtkSpatialOrder& order, double reach);
 
   bool IsParallel() const { return this->VCDC[11] == 0.0; }
 

@@ -50,7 +50,7 @@ void vtkSurfaceSplatMapper::MakeSurfaceBuffer(
 {
   vtkSurfaceSplattingOpenGL& splatting = this->Internals->Splatting;
   const vtkSurfaceSplatParameters parameters(view, this->GetOptions());
-  const auto clouds = this->GetDrawnClouds(view, parameters.Thinning).OpenGL;
+  const auto clouds = this->GetDrawnClouds(view, parameters.Thinning, this->BlendRadius).OpenGL;
   this->BeginProjection();
   splatting.FindDepths(window, parameters, clouds);
   this->EndProjection();
@@ -65,7 +65,7 @@ void vtkSurfaceSplatMapper::MakeSurfacePixels(
   const vtkSurfaceSplatParameters parameters(view, this->GetOptions());
   this->BeginProjection();
   internals.SplattingCPU.MakeSplats(
-    parameters, this->GetDrawnClouds(view, parameters.Thinning).CPU, colors);
+    parameters, this->GetDrawnClouds(view, parameters.Thinning, this->BlendRadius).CPU, colors);
   this->EndProjection();
   internals.SplattingCPU.DrawSplats(parameters, ids, colors, surface);
   this->LastFramePasses = 2;

@@ -237,7 +237,7 @@ private:
         list.Splats.push_back(splat);
         if (this->Colors)
         {
-          list.Colors.push_back(this->Blocks.GetColor(splat.Id));
+          list.Colors.push_back(this->Blocks.GetColor(points.Place[i]));
         }
       }
     }

@@ -8,6 +8,7 @@ in float radiusMC;
 in vec4 scalarColor;
 in vec2 colorTCoord;
 in vec2 tcoord;
+in uint pointId;
 
 uniform mat4 MCVCMatrix;
 uniform mat4 VCDCMatrix;

@@ -25,7 +25,7 @@ void main()
   float radius = getRadius();
   shape = vec4(normal, radius);
   color = getColor();
-  id = uint(gl_VertexID + firstId) + 1u;
+  id = pointId + uint(firstId) + 1u;
 
   gl_PointSize = 1.0;
   gl_Position = VCDCMatrix * position;

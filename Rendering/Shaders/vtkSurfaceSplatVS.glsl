@@ -30,6 +30,6 @@ void main()
   bool isDrawn = isKept && isVisible(position, VCDCMatrix * position, blendRadius * radius, facesViewer);
   disc = vec4(position.xyz, isDrawn ? radius : 0.0);
   discColor = getColor();
-  discId = uint(gl_VertexID + firstId) + 1u;
+  discId = pointId + uint(firstId) + 1u;
   gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
 }

@@ -34,7 +34,8 @@ Checks check;
 constexpr vtkIdType Points = 5000;
 constexpr vtkIdType Vector = 3 * sizeof(float); // coordinates or a normal
 constexpr vtkIdType Scalar = sizeof(float);
-constexpr vtkIdType Color = 4; // bytes
+constexpr vtkIdType Id = sizeof(unsigned int); // as points are in an order of their own
+constexpr vtkIdType Color = 4;                 // bytes
 /// Splats lie in OpenGL in a form of their own: 16 floats, and the 6 coefficients of order 2 in 8.
 constexpr vtkIdType SplatBytes = 24 * Scalar;
 
@@ -72,11 +73,12 @@ struct Scene
     return this->Mapper->GetLastFrameBytesUploaded();
   }
 
-  /// Of the arrays that the mapper draws from.
+  /// Of the arrays that the mapper draws from, and the points' ids.
   vtkIdType GetBytes(vtkIdType points) const
   {
     return points *
-      (Vector + (this->Class.UsesNormals ? Vector : 0) + (this->Class.UsesRadii ? Scalar : 0));
+      (Vector + (this->Class.UsesNormals ? Vector : 0) + (this->Class.UsesRadii ? Scalar : 0) +
+        (this->Class.DrawsSplats ? 0 : Id));
   }
   /// A normal where none are uploaded.
   vtkIdType GetStandInBytes() const { return this->Class.UsesNormals ? 0 : Vector; }
@@ -137,12 +139,12 @@ void CheckChanges(const MapperClass& mapperClass, int backend, bool faulty)
   mapper->SetInputData(cloud);
   mapper->SetScalarRange(-1.0, 1.0);
   scene.Renderer->ResetCamera();
-  const vtkIdType ids = faulty ? (Points - 1) * Scalar : 0;
+  const vtkIdType drawn = faulty ? Points - 1 : Points;
   const vtkIdType first = scene.Render();
   constexpr vtkIdType StandIns = 28; // of normals and colours
   const vtkIdType whole = mapperClass.DrawsSplats
     ? Points * (SplatBytes + Color) + StandIns
-    : scene.GetBytes(Points) + scene.GetStandInBytes() + Points * Color + ids;
+    : scene.GetBytes(drawn) + scene.GetStandInBytes() + drawn * Color;
   check(first == (scene.OnGPU ? whole : StandIns),
     scene.Name + "the first frame sends the cloud: " + std::to_string(first));
   scene.MakesSurface(true, "the first frame");
@@ -172,10 +174,10 @@ void CheckChanges(const MapperClass& mapperClass, int backend, bool faulty)
   auto* height = vtkFloatArray::SafeDownCast(cloud->GetPointData()->GetScalars());
   height->SetValue(0, 0.7f);
   height->Modified();
-  scene.Sends(Points * Color, "new values of scalars");
+  scene.Sends(drawn * Color, "new values of scalars");
   scene.MakesSurface(true, "new values of scalars");
   mapper->SetScalarRange(-2.0, 2.0);
-  scene.Sends(Points * Color, "another range of scalars");
+  scene.Sends(drawn * Color, "another range of scalars");
   vtkNew<vtkFloatArray> other;
   other->SetName("other");
   for (vtkIdType i = 0; i < Points; ++i)
@@ -183,13 +185,13 @@ void CheckChanges(const MapperClass& mapperClass, int backend, bool faulty)
     other->InsertNextValue(static_cast<float>(cloud->GetPoint(i)[2]));
   }
   cloud->GetPointData()->SetScalars(other);
-  scene.Sends(Points * Color, "another array of scalars");
+  scene.Sends(drawn * Color, "another array of scalars");
   mapper->ScalarVisibilityOff();
   scene.Sends(0, "no scalars");
 
   cloud->GetPoints()->SetPoint(7, 0.9, 0.0, 0.0);
   cloud->GetPoints()->Modified();
-  scene.Sends(Points * (mapperClass.DrawsSplats ? SplatBytes : Vector), "a moved point");
+  scene.Sends(drawn * (mapperClass.DrawsSplats ? SplatBytes : Vector), "a moved point");
 }
 
 void CheckBlocks(const MapperClass& mapperClass, int backend)

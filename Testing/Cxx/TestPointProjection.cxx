@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What points leave in the image that they are projected to, by both back ends: the mean of those
 // that share a pixel is what plain sums in double precision say, and points outside of the viewport
-// count where their discs reach into it.
+// count where their discs reach into it. Of a cloud that is larger than the picture, only what may
+// be in it is drawn, and nothing is missing.
 
 #include "PointSurfaceTestUtilities.h"
 
@@ -25,6 +26,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -233,6 +235,61 @@ void CheckAverages(int backend, const std::string& name)
   check(otherIds == 0, name + ": ids are those of the nearest points");
 }
 
+/// A cloud of which most is outside of the picture, with points left out among the others.
+void CheckChunks(int backend, const std::string& name)
+{
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(11);
+  auto next = [&](double from, double to)
+  {
+    random->Next();
+    return random->GetRangeValue(from, to);
+  };
+  constexpr int Count = 60000;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Point> points(Count);
+  std::vector<int> nearest(Size * Size, -1);
+  for (int i = 0; i < Count; ++i)
+  {
+    Point& point = points[i];
+    point.Position = { std::floor(next(-300.0, 300.0)) + next(0.02, 0.98),
+      std::floor(next(-300.0, 300.0)) + next(0.02, 0.98), i % 50 == 0 ? nan : next(-20.0, 20.0) };
+    point.Normal = { 0.0, 0.0, 1.0 };
+    point.Radius = 1.0;
+    point.Color = { 255.0, 255.0, 255.0, 255.0 };
+    const double x = point.Position[0] + Size / 2;
+    const double y = point.Position[1] + Size / 2;
+    if (x >= 0.0 && y >= 0.0 && x < Size && y < Size && !std::isnan(point.Position[2]))
+    {
+      int& best = nearest[static_cast<int>(y) * Size + static_cast<int>(x)];
+      best = best < 0 || point.Position[2] > points[best].Position[2] ? i : best;
+    }
+  }
+  Scene scene(points, backend);
+  vtkObject::GlobalWarningDisplayOff(); // of coordinates
+  scene.Window->Render();
+  vtkObject::GlobalWarningDisplayOn();
+  check.AtMost(
+    scene.Mapper->GetLastFramePointsDrawn(), 0.25 * Count, name + ": points of the chunks in view");
+  vtkNew<vtkImageData> projected;
+  check(scene.Mapper->ReadProjectedBuffer(projected), name + ": projected buffer");
+  int found = 0;
+  int wrong = 0;
+  for (int y = 0; y < Size; ++y)
+  {
+    for (int x = 0; x < Size; ++x)
+    {
+      int place[3] = { x, y, 0 };
+      const vtkIdType pixel = projected->ComputePointId(place);
+      const double id = projected->GetPointData()->GetArray("PointIds")->GetComponent(pixel, 0);
+      found += nearest[y * Size + x] >= 0;
+      wrong += id != nearest[y * Size + x];
+    }
+  }
+  check.AtLeast(found, 400, name + ": pixels with points");
+  check(wrong == 0, name + ": ids of the nearest points of a large cloud");
+}
+
 /// Points to the left of the viewport and above it, none within.
 void CheckRim(int backend, int supersampling, const std::string& name)
 {
@@ -295,6 +352,7 @@ int TestPointProjection(int, char*[])
   {
     const std::string name = backend == vtkPullPushMapper::CPU ? "CPU" : "OpenGL";
     CheckAverages(backend, name);
+    CheckChunks(backend, name + ", chunks");
     CheckRim(backend, 1, name + ", rim");
     CheckRim(backend, 2, name + ", rim, 2x");
   }
