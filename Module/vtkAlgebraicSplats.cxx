@@ -40,6 +40,10 @@ constexpr vtkIdType BatchSize = 2048;
 constexpr int NumberOfNearestSplats = 8;
 /// What a fixed count is fitted to lies within this many feature sizes.
 constexpr double SupportOfFixedCount = 2.0;
+/// A point's normal tells its side only if this share of its neighbours agree, itself among them.
+constexpr double LeastShareOfSide = 1.0 / 8.0;
+/// And no fewer than these, which a plane takes.
+constexpr vtkIdType LeastNumberOfSide = 3;
 
 Vector GetPoint(vtkPointSet* cloud, vtkIdType id)
 {
@@ -108,6 +112,7 @@ private:
   bool FitInput();
   bool FitFixedCount();
   vtkAlgebraicSplat FitAt(const Vector& center, const Vector& normal, double featureSize) const;
+  Vector FindSide(const Vector& center, const Vector& normal, vtkIdList* neighbors) const;
   bool IsOnSameSide(const Vector& a, const Vector& b) const
   {
     return !this->Filter->RejectOppositeNormals || Dot(a, b) >= 0.0;
@@ -195,15 +200,50 @@ vtkAlgebraicSplat vtkAlgebraicSplats::Worker::FitAt(
   }
   // in one order, whatever the search's is: sums of floating point numbers depend on it
   std::sort(ids->begin(), ids->end());
+  const Vector side = this->FindSide(center, normal, ids);
   fitter.Neighbors.clear();
   for (vtkIdType id : *ids)
   {
-    if (this->IsOnSameSide(normal, this->GetNormal(id)))
+    if (this->IsOnSameSide(side, this->GetNormal(id)))
     {
       fitter.Neighbors.push_back(Subtract(GetPoint(this->Cloud, id), center));
     }
   }
-  return fitter.Fit(center, normal, featureSize, this->GetRadiusFactor());
+  return fitter.Fit(center, side, featureSize, this->GetRadiusFactor());
+}
+
+// The normal itself, or, where nearly all neighbours contradict it, that of the nearest one that
+// they do not contradict: a lone wrong normal would leave its point without neighbours. Zero, which
+// is any side, where there is none.
+Vector vtkAlgebraicSplats::Worker::FindSide(
+  const Vector& center, const Vector& normal, vtkIdList* neighbors) const
+{
+  const vtkIdType least = std::max(
+    LeastNumberOfSide, static_cast<vtkIdType>(LeastShareOfSide * neighbors->GetNumberOfIds()));
+  auto isShared = [&](const Vector& side)
+  {
+    return std::count_if(neighbors->begin(), neighbors->end(),
+             [&](vtkIdType id) { return this->IsOnSameSide(side, this->GetNormal(id)); }) >= least;
+  };
+  if (isShared(normal))
+  {
+    return normal;
+  }
+  std::vector<std::pair<double, vtkIdType>> nearest;
+  for (vtkIdType id : *neighbors)
+  {
+    const Vector d = Subtract(GetPoint(this->Cloud, id), center);
+    nearest.emplace_back(Dot(d, d), id);
+  }
+  std::sort(nearest.begin(), nearest.end());
+  for (const auto& neighbor : nearest)
+  {
+    if (isShared(this->GetNormal(neighbor.second)))
+    {
+      return this->GetNormal(neighbor.second);
+    }
+  }
+  return {};
 }
 
 //------------------------------------------------------------------------------
@@ -264,7 +304,7 @@ bool vtkAlgebraicSplats::Worker::FitInput()
           GetPoint(this->Cloud, center).data(), around);
         for (vtkIdType id : *around)
         {
-          discarded[id] |= this->IsOnSameSide(this->GetNormal(center), this->GetNormal(id)) ? 1 : 0;
+          discarded[id] |= this->IsOnSameSide(splats[i].Normal, this->GetNormal(id)) ? 1 : 0;
         }
       }
     }

@@ -138,8 +138,9 @@ public:
   ///@{
   /**
    * Leave out neighbours whose normal is turned away from the point's by more than a right angle,
-   * and do not discard them: they belong to the other side of a thin part (not in the paper).
-   * Default: on.
+   * and do not discard them: they belong to the other side of a thin part (not in the paper). Where
+   * fewer than an eighth of the neighbours share a point's side its normal is taken for wrong, and
+   * the nearest neighbour's that they do share stands in for it. Default: on.
    */
   vtkSetMacro(RejectOppositeNormals, bool);
   vtkGetMacro(RejectOppositeNormals, bool);

@@ -9,8 +9,6 @@
 #include "vtkFirstRoot.h"
 #include "vtkPointSurfaceCompat.h"
 #include "vtkPointSurfaceView.h"
-#include "vtkScreenPass.h"
-#include "vtkSplatMeanFS.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLBufferObject.h"
@@ -84,10 +82,7 @@ void vtkAlgebraicSplatTracingOpenGL::ReleaseGraphicsResources(vtkWindow* window)
   {
     target->ReleaseGraphicsResources(window);
   }
-  for (auto& entry : this->BlendPasses)
-  {
-    entry.second->ReleaseGraphicsResources();
-  }
+  this->Mean.ReleaseGraphicsResources();
   this->VertexArray->ReleaseGraphicsResources();
 }
 
@@ -212,7 +207,8 @@ void vtkAlgebraicSplatTracingOpenGL::Run(vtkOpenGLRenderWindow* window,
     this->DrawSplats(window, view, transform, options, &this->Visible, this->Ids);
     state->vtkglDisable(GL_DEPTH_TEST);
   }
-  this->Blend(window, view, surface);
+  ++this->Passes;
+  this->Mean.Run(window, view.Rectangle, this->Sums, this->Ids, surface);
 }
 
 void vtkAlgebraicSplatTracingOpenGL::DrawSplats(vtkOpenGLRenderWindow* window,
@@ -280,40 +276,5 @@ void vtkAlgebraicSplatTracingOpenGL::DrawSplats(vtkOpenGLRenderWindow* window,
   if (visible)
   {
     visible->Deactivate();
-  }
-}
-
-void vtkAlgebraicSplatTracingOpenGL::Blend(
-  vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& surface)
-{
-  ++this->Passes;
-  const bool ids = surface.Has(vtkSurfaceTarget::Id);
-  std::unique_ptr<vtkScreenPass>& pass = this->BlendPasses[surface.GetLayers()];
-  if (!pass)
-  {
-    pass.reset(new vtkScreenPass("//VTK::System::Dec\n" +
-      vtkSurfaceTarget::GetInputDeclarations(this->Sums.GetLayers(), "in") +
-      (ids ? vtkSurfaceTarget::GetInputDeclarations(this->Ids.GetLayers(), "heaviest") : "") +
-      vtkSurfaceTarget::GetOutputDeclarations(surface.GetLayers()) + vtkSplatMeanFS));
-  }
-  vtkShaderProgram* program = pass->Ready(window);
-  if (!program)
-  {
-    return;
-  }
-  this->Sums.Activate();
-  this->Sums.SetSamplers(program, "in");
-  if (ids)
-  {
-    this->Ids.Activate();
-    this->Ids.SetSamplers(program, "heaviest");
-  }
-  surface.BindForWriting(window);
-  const auto& r = view.Rectangle;
-  pass->Draw(window, r[0], r[1], r[2], r[3]);
-  this->Sums.Deactivate();
-  if (ids)
-  {
-    this->Ids.Deactivate();
   }
 }

@@ -12,6 +12,7 @@
 #define vtkAlgebraicSplatTracingOpenGL_h
 
 #include "vtkAlgebraicSplat.h"
+#include "vtkSplatMeanOpenGL.h"
 #include "vtkSurfaceTarget.h"
 
 #include "vtkNew.h"
@@ -20,15 +21,12 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <map>
-#include <memory>
 #include <vector>
 
 class vtkDrawableSplats;
 class vtkOpenGLBufferObject;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexArrayObject;
-class vtkScreenPass;
 class vtkShaderProgram;
 class vtkTextureObject;
 class vtkWindow;
@@ -86,15 +84,13 @@ private:
   void DrawSplats(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
     const vtkAlgebraicSplatTransform& transform, const vtkAlgebraicSplatOptions& options,
     vtkSurfaceTarget* visible, vtkSurfaceTarget& target);
-  void Blend(
-    vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& surface);
 
   std::array<Group, vtkAlgebraicSplat::MaximumOrder> Groups;
   std::array<double, 3> Origin{};
   vtkSurfaceTarget Visible;
   vtkSurfaceTarget Sums;
   vtkSurfaceTarget Ids;
-  std::map<std::vector<vtkSurfaceTarget::Layer>, std::unique_ptr<vtkScreenPass>> BlendPasses;
+  vtkSplatMeanOpenGL Mean;
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
   int Passes = 0;
 };

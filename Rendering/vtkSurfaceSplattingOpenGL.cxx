@@ -2,8 +2,6 @@
 #include "vtkSurfaceSplattingOpenGL.h"
 
 #include "vtkPointSurfaceCompat.h"
-#include "vtkScreenPass.h"
-#include "vtkSplatMeanFS.h"
 #include "vtkSurfaceSplatFS.h"
 #include "vtkSurfaceSplatGS.h"
 #include "vtkSurfaceSplatParameters.h"
@@ -55,10 +53,7 @@ void vtkSurfaceSplattingOpenGL::ReleaseGraphicsResources(vtkWindow* window)
   {
     target->ReleaseGraphicsResources(window);
   }
-  for (auto& entry : this->MeanPasses)
-  {
-    entry.second->ReleaseGraphicsResources();
-  }
+  this->Mean.ReleaseGraphicsResources();
 }
 
 void vtkSurfaceSplattingOpenGL::FindDepths(vtkOpenGLRenderWindow* window,
@@ -108,7 +103,8 @@ void vtkSurfaceSplattingOpenGL::BlendSplats(vtkOpenGLRenderWindow* window,
     state->vtkglDisable(GL_DEPTH_TEST);
   }
   this->Visible.Deactivate();
-  this->TakeMeans(window, parameters, surface);
+  ++this->Passes;
+  this->Mean.Run(window, parameters.View.Rectangle, this->Sums, this->Ids, surface);
 }
 
 void vtkSurfaceSplattingOpenGL::DrawSplats(vtkOpenGLRenderWindow* window,
@@ -139,39 +135,4 @@ void vtkSurfaceSplattingOpenGL::DrawSplats(vtkOpenGLRenderWindow* window,
         this->Visible.SetSamplers(program, "in");
       }
     });
-}
-
-void vtkSurfaceSplattingOpenGL::TakeMeans(vtkOpenGLRenderWindow* window,
-  const vtkSurfaceSplatParameters& parameters, vtkSurfaceTarget& surface)
-{
-  ++this->Passes;
-  const bool ids = surface.Has(vtkSurfaceTarget::Id);
-  std::unique_ptr<vtkScreenPass>& pass = this->MeanPasses[surface.GetLayers()];
-  if (!pass)
-  {
-    pass.reset(new vtkScreenPass("//VTK::System::Dec\n" +
-      vtkSurfaceTarget::GetInputDeclarations(this->Sums.GetLayers(), "in") +
-      (ids ? vtkSurfaceTarget::GetInputDeclarations(this->Ids.GetLayers(), "heaviest") : "") +
-      vtkSurfaceTarget::GetOutputDeclarations(surface.GetLayers()) + vtkSplatMeanFS));
-  }
-  vtkShaderProgram* program = pass->Ready(window);
-  if (!program)
-  {
-    return;
-  }
-  this->Sums.Activate();
-  this->Sums.SetSamplers(program, "in");
-  if (ids)
-  {
-    this->Ids.Activate();
-    this->Ids.SetSamplers(program, "heaviest");
-  }
-  surface.BindForWriting(window);
-  const auto& r = parameters.View.Rectangle;
-  pass->Draw(window, r[0], r[1], r[2], r[3]);
-  this->Sums.Deactivate();
-  if (ids)
-  {
-    this->Ids.Deactivate();
-  }
 }

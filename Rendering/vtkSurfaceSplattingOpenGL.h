@@ -11,14 +11,12 @@
 #define vtkSurfaceSplattingOpenGL_h
 
 #include "vtkPointProjectionOpenGL.h"
+#include "vtkSplatMeanOpenGL.h"
 #include "vtkSurfaceTarget.h"
 
-#include <map>
-#include <memory>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
-class vtkScreenPass;
 class vtkWindow;
 struct vtkSurfaceSplatParameters;
 
@@ -52,13 +50,11 @@ private:
 
   void DrawSplats(vtkOpenGLRenderWindow* window, const vtkSurfaceSplatParameters& parameters,
     const std::vector<vtkPointProjectionOpenGL::Cloud>& clouds, int use, vtkSurfaceTarget& target);
-  void TakeMeans(vtkOpenGLRenderWindow* window, const vtkSurfaceSplatParameters& parameters,
-    vtkSurfaceTarget& surface);
 
   vtkSurfaceTarget Visible;
   vtkSurfaceTarget Sums;
   vtkSurfaceTarget Ids;
-  std::map<std::vector<vtkSurfaceTarget::Layer>, std::unique_ptr<vtkScreenPass>> MeanPasses;
+  vtkSplatMeanOpenGL Mean;
   int Passes = 0;
 };
 
