@@ -48,6 +48,7 @@ struct vtkAlgebraicSplat
   double Residual = 0.0;    ///< weighted root mean square of the points' heights over the patch
   int Order = 1;
   bool RankDeficient = false; ///< the order is lower than wanted, for want of points
+  bool Extrapolates = false;  ///< it is, since the points lie to one side
   std::array<double, MaximumNumberOfCoefficients> Coefficients{};
 };
 

@@ -44,6 +44,8 @@ constexpr double SupportOfFixedCount = 2.0;
 constexpr double LeastShareOfSide = 1.0 / 8.0;
 /// And no fewer than these, which a plane takes.
 constexpr vtkIdType LeastNumberOfSide = 3;
+/// No fewer neighbours of a point at a border are left than these.
+constexpr size_t LeastNumberAtBorders = 16;
 
 Vector GetPoint(vtkPointSet* cloud, vtkIdType id)
 {
@@ -209,7 +211,17 @@ vtkAlgebraicSplat vtkAlgebraicSplats::Worker::FitAt(
       fitter.Neighbors.push_back(Subtract(GetPoint(this->Cloud, id), center));
     }
   }
-  return fitter.Fit(center, side, featureSize, this->GetRadiusFactor());
+  vtkAlgebraicSplat splat = fitter.Fit(center, side, featureSize, this->GetRadiusFactor());
+  // at a border or on a tip, a smaller disc is less far over it
+  while (
+    featureSize == 0.0 && splat.Extrapolates && fitter.Neighbors.size() >= 2 * LeastNumberAtBorders)
+  {
+    std::sort(fitter.Neighbors.begin(), fitter.Neighbors.end(),
+      [](const Vector& a, const Vector& b) { return Dot(a, a) < Dot(b, b); });
+    fitter.Neighbors.resize(fitter.Neighbors.size() / 2);
+    splat = fitter.Fit(center, side, featureSize, this->GetRadiusFactor());
+  }
+  return splat;
 }
 
 // The normal itself, or, where nearly all neighbours contradict it, that of the nearest one that

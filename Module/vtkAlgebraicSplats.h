@@ -152,7 +152,10 @@ public:
    * Where the neighbours lie to one side, as at a border or an edge of a thin part, a polynomial of
    * higher order runs wild on the other one. A splat gets the highest order that amplifies an error
    * of its neighbours by no more than this factor on the rim of its disc; 0: no limit (the paper).
-   * Neighbours all around give a factor of 0.5 to 4, those of a half-plane 6 and more. Default: 5.
+   * Where that is lower than wanted, the farther half of the neighbours is first left out, and
+   * again while 16 or more are left, so that the disc is less far over the border (not for
+   * FIXED_COUNT). Neighbours all around give a factor of 0.5 to 4, those of a half-plane 6 and
+   * more. Default: 5.
    */
   vtkSetClampMacro(ExtrapolationLimit, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ExtrapolationLimit, double);

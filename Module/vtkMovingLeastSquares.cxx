@@ -214,6 +214,7 @@ void vtkMovingLeastSquares::FitPolynomial(vtkAlgebraicSplat& splat) const
         GetAmplification(qr, sizes, lower) > this->ExtrapolationLimit)
       {
         splat.RankDeficient = false;
+        splat.Extrapolates = true;
         continue;
       }
       const Eigen::VectorXd solution = qr.solve(heights).cwiseQuotient(sizes);

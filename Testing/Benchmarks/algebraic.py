@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Table 2 of the algebraic splats' paper (Bolla, Narayanan), of this machine, with peers beside it.
 
-    python3 Testing/Benchmarks/algebraic.py [--output [FILE]] [--tests PROGRAM] [MODEL ...]
+    python3 Testing/Benchmarks/algebraic.py [--output [FILE]] [--tests PROGRAM [--polynomials N]] [MODEL ...]
 
 A process of its own for each model. PYTHONPATH must lead to the package pointsurface. The models lie in ../shared/data
 beside the project, or in the folder POINTSURFACE_SHARED_DATA; those that are not there are left out, the sphere is
-generated. PROGRAM is the C++ tests' (build/bin/vtkPointSurfaceCxxTests); with it the table of root finders is made too.
+generated. PROGRAM is the C++ tests' (build/bin/vtkPointSurfaceCxxTests); with it the table of root finders is made too,
+of N random polynomials of each degree.
 """
 
 import argparse
@@ -152,6 +153,7 @@ def measure(name):
                 (FRAME_FLOATS + (orders_drawn + 1) * (orders_drawn + 2) // 2).sum())
             rows.append({"what": what, "order": order, "count": output.GetNumberOfPoints(), "bytes": 4 * floats,
                          "fit": seconds, "frame": frame, "error": float(off.mean() / diagonal),
+                         "worst": float(np.percentile(off, 99) / diagonal),
                          "unfilled": float((inside & ~drawn).sum() / inside.sum())})
     print(json.dumps({"rows": rows, "renderer": renderer_string(window)}))
 
@@ -204,29 +206,44 @@ def sphere_at_zoom():
 
 
 def million_points():
-    """Seconds for the fit and hole-free selection of a million points, order 3."""
+    """Prints seconds and memory of the fit and hole-free selection of a million points, order 3."""
     source = vtkSphereSource()
     source.SetThetaResolution(400)
     source.SetPhiResolution(200)
     source.Update()
+    cloud = sample_by_area(source.GetOutput(), 1_000_000)
     splats = vtkAlgebraicSplats()
-    splats.SetInputData(sample_by_area(source.GetOutput(), 1_000_000))
+    splats.SetInputData(cloud)
+    with open("/proc/self/clear_refs", "w", encoding="ascii") as file:
+        file.write("5")  # the peak starts anew
+    before = memory("VmRSS")
     start, cpu = time.perf_counter(), time.process_time()
     splats.Update()
-    return (f"A million points of a sphere, order 3, hole-free: {time.perf_counter() - start:.1f} s by the clock, "
-            f"{time.process_time() - cpu:.1f} s of processors' time, "
-            f"{splats.GetOutput().GetNumberOfPoints()} splats.")
+    seconds, cpu = time.perf_counter() - start, time.process_time() - cpu
+    print(f"A million points of a sphere, order 3, hole-free: {seconds:.1f} s by the clock, {cpu:.1f} s of processors' "
+          f"time, {splats.GetOutput().GetNumberOfPoints()} splats, {memory('VmHWM') - before:.0f} bytes of memory a "
+          "point at the peak, the input apart.")
 
 
-def make_report(models, tests):
+def memory(key):
+    """Bytes of this process's memory a point of a million."""
+    with open("/proc/self/status", encoding="ascii") as file:
+        return next(int(line.split()[1]) for line in file if line.startswith(key + ":")) * 1024 / 1_000_000
+
+
+def run_alone(*arguments):
+    """The last line that this program prints, run with arguments in a process of its own."""
+    command = [sys.executable, os.path.abspath(__file__), *arguments]
+    return subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout.splitlines()[-1]
+
+
+def make_report(models, tests, polynomials):
     lines, renderer = [], ""
     for name in models:
         if read_mesh(name) is None:
             continue
         print(name, file=sys.stderr, flush=True)
-        command = [sys.executable, os.path.abspath(__file__), "--measure", name]
-        result = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
-        measured = json.loads(result.stdout.splitlines()[-1])
+        measured = json.loads(run_alone("--measure", name))
         renderer = measured["renderer"]
         for row in measured["rows"]:
             show = lambda key, form: form.format(row[key]) if key in row else ""
@@ -236,6 +253,7 @@ def make_report(models, tests):
                 f"| {name} | {row['what']} | {row['order']} | {row['count']} | {share} | {kib} "
                 f"| {show('fit', '{:.1f}')} | {row['frame']:.0f} "
                 f"| {'%.4f' % (100 * row['error']) if 'error' in row else ''} "
+                f"| {'%.3f' % (100 * row['worst']) if 'worst' in row else ''} "
                 f"| {'%.3f' % (100 * row['unfilled']) if 'unfilled' in row else ''} |")
     text = f"""# Algebraic splats, measured
 
@@ -243,15 +261,16 @@ Table 2 of Bolla and Narayanan as ours, on {renderer}, {SIZE[0]} x {SIZE[1]} pix
 uniformly by area of each mesh. Splats are vtkAlgebraicSplats' with its defaults; bytes count 32-bit floats: {PLANE_FLOATS}
 for a plane (and for a point with normal and radius), {FRAME_FLOATS} and the coefficients for a polynomial. Fit: seconds with
 the selection. Frame: the median of {FRAMES} by the clock, camera moving. Error: mean distance of the patches, within what
-each stands for, from the mesh, in percent of the bounding box's diagonal. Unfilled: of the pixels within the mesh's
-silhouette, those at its rim apart. Armadillo, dragon, buddha, lucy and bunny are of the Stanford University Computer
+each stands for, from the mesh, in percent of the bounding box's diagonal, and the distance that one in a hundred is
+over: large where sharp edges are smoothed, as fandisk's are. Unfilled: of the pixels within the mesh's silhouette, those
+at its rim apart; LOP leaves holes where it spreads splats too thinly. Armadillo, dragon, buddha, lucy and bunny are of the Stanford University Computer
 Graphics Laboratory.
 
-| model | what | order | splats, points or triangles | share, % | KiB | fit, s | frame, ms | error, % | unfilled, % |
-| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |
+| model | what | order | splats, points or triangles | share, % | KiB | fit, s | frame, ms | error, % | 99th, % | unfilled, % |
+| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |
 """ + "\n".join(lines) + f"""
 
-{million_points()}
+{run_alone('--million')}
 
 ## Fig. 1: a sphere at growing zoom
 
@@ -262,7 +281,7 @@ Mean angle between the normals drawn and the sphere's, in degrees, of splats by 
 {sphere_at_zoom()}
 """
     if tests:
-        result = subprocess.run([tests, "TestPolynomialRoots", "200000"], stdout=subprocess.PIPE, text=True, check=True)
+        result = subprocess.run([tests, "TestPolynomialRoots", str(polynomials)], stdout=subprocess.PIPE, text=True, check=True)
         text += """
 ## Root finders
 
@@ -278,13 +297,18 @@ def main():
     parser.add_argument("--output", nargs="?", const=os.path.join(HERE, "algebraic.md"), metavar="FILE",
                         help="write the report to a file")
     parser.add_argument("--tests", metavar="PROGRAM", help="the C++ tests' program, for the table of root finders")
+    parser.add_argument("--polynomials", type=int, default=1_000_000, metavar="N", help="how many (default: %(default)s)")
+    parser.add_argument("--million", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--measure", metavar="MODEL", help=argparse.SUPPRESS)
     parser.add_argument("models", nargs="*", default=MODELS, metavar="MODEL")
     arguments = parser.parse_args()
     if arguments.measure:
         measure(arguments.measure)
         return
-    report = make_report(arguments.models or MODELS, arguments.tests)
+    if arguments.million:
+        million_points()
+        return
+    report = make_report(arguments.models or MODELS, arguments.tests, arguments.polynomials)
     print(report, end="")
     if arguments.output:
         write_whole(arguments.output, report.encode())

@@ -240,6 +240,22 @@ def test_fit_is_weighted_least_squares():
             assert np.allclose(c, array(splats, "SplatCoefficients")[i], atol=2e-6 * max(1, np.abs(c).max()))
 
 
+def test_splats_reach_less_far_over_borders():
+    """Those of a square's rim are smaller than those amid it, and still leave no point without one."""
+    xy = np.random.default_rng(2).uniform(-1, 1, (6000, 2))
+    poly = cloud(np.column_stack([xy, 0.2 * xy[:, 0] ** 2]), np.tile([0, 0, 1.0], (6000, 1)))
+
+    def overhang(limit):
+        splats = fit(poly, ExtrapolationLimit=limit).GetOutput()
+        centers, radii = positions(splats), array(splats, "radius")
+        near = np.linalg.norm(positions(poly)[::5, None] - centers[None], axis=2) <= radii
+        assert near.any(axis=1).all()
+        return (np.abs(centers[:, :2]).max(axis=1) + radii - 1).max()
+
+    print("overhang", overhang(5.0), "without a limit", overhang(0.0))
+    assert overhang(5.0) < 0.6 * overhang(0.0)
+
+
 @pytest.mark.parametrize("selection", (1, 2))
 def test_lone_wrong_normals_leave_no_hole(selection, capfd):
     """A point whose normal all others contradict has neighbours all the same, and gets their side."""
