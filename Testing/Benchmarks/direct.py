@@ -4,6 +4,8 @@
 
     python3 Testing/Benchmarks/direct.py [--output [FILE]] [--quick]
 
+Takes some ten minutes on two cores, most of them for normals of a million points by PCA.
+
 Views, light and truth are those of errors.py. Of the points nothing but the positions is given; the peers get their
 radius for nothing besides. The time to the first frame is from the points in memory until OpenGL has finished the
 frame, in a window in which a small cloud has been drawn before, so that windows are open and shaders compiled. PYTHONPATH
@@ -15,6 +17,9 @@ import argparse
 import os
 import sys
 import time
+
+from dataclasses import dataclass
+from statistics import median
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -39,6 +44,9 @@ COUNT = 100_000
 NOISE = (0, 0.25, 0.5, 1)  # times the spacing, along the normal
 NEIGHBORS = (10, 20, 40)
 LARGE = 1_000_000
+NOISY = 0.5  # from this noise on, no peer is to have better normals in as little time
+TIMES_FASTER = 5  # that direct is to be at least, to the first frame of LARGE points
+RUNS = 3  # to the first frame, of which the median counts; rows whose runs are long have one
 STAGES = (("bunny", 556_051, 0.5), ("dragon", 3_609_600, 0))  # as many points as the paper's, noise
 SIZES = (512, 1024)
 FRAMES = 7
@@ -112,47 +120,93 @@ def draw_first_frame(row, model, radius):
     return SurfaceImage(color, normals, depth), scene, seconds
 
 
-def measure(row, model, radius, truth):
-    """The errors of a row, and its time to the first frame."""
-    image, scene, seconds = draw_first_frame(row, model, radius)
+@dataclass
+class Result:
+    """One row for one cloud."""
+
+    model: str
+    count: int
+    noise: float
+    row: str
+    seconds: float  # to the first frame
+    normals: float  # mean, degrees
+    psnr: float  # dB
+
+    def __str__(self):
+        return f"{self.normals:.2f}; {self.psnr:.1f}; {self.seconds:.2f}"
+
+
+def measure(row, model, radius, noise, truth):
+    """The Result of a row, and the truth, which is made where there is none yet."""
+    runs = [draw_first_frame(row, model, radius) for _ in range(RUNS if row in (DIRECT, NEAREST) else 1)]
+    image, scene, _ = runs[0]
     if truth is None:
         truth = render_truth(model.mesh, scene.renderer, scene.lit, errors.SIZE, errors.TRUTH_SUPERSAMPLING)
     diagonal = np.linalg.norm(np.ptp(np.array(model.mesh.GetBounds()).reshape(3, 2), axis=1))
     found = compare(image, truth, diagonal)
-    found["seconds"] = seconds
-    return found, truth
+    seconds = median(run[2] for run in runs)
+    count = model.cloud.GetNumberOfPoints()
+    return Result(model.name, count, noise, row, seconds, found["normal_mean"], found["psnr"]), truth
 
 
-def noise_table(name, noises, progress):
+def noise_results(name, count, noises, rows, progress):
+    """The Results of all rows for a model with each noise."""
     mesh = errors.read_mesh(name)
-    heading = ("normals, mean, degrees; PSNR, dB; seconds", *(f"noise {noise}" for noise in noises))
-    lines = [f"### {name}", "", "| " + " | ".join(heading) + " |", "| --- " * (len(noises) + 1) + "|"]
-    rows = (DIRECT, NEAREST, *map(pca, NEIGHBORS))
-    cells = {row: [] for row in (*rows, EARLY)}
+    results = []
     truth = None
     for noise in noises:
-        model, radius = make_model(name, mesh, COUNT, noise)
+        model, radius = make_model(name, mesh, count, noise)
         for row in rows:
-            found, truth = measure(row, model, radius, truth)
-            cells[row].append(f"{found['normal_mean']:.2f}; {found['psnr']:.1f}; {found['seconds']:.2f}")
-            if row == DIRECT:
-                cells[EARLY].append(f"{found['early']:.1f} dB")
-            progress(f"{name}, noise {noise}, {row}: {cells[row][-1]}")
-    return lines + [f"| {row} | " + " | ".join(values) + " |" for row, values in cells.items()]
+            result, truth = measure(row, model, radius, noise, truth)
+            results.append(result)
+            progress(f"{name}, {count:,} points, noise {noise}, {row}: {result}")
+    return results
 
 
-def first_frame_table(noise, count, progress):
-    model, radius = make_model("bunny", errors.read_mesh("bunny"), count, noise)
-    lines = ["| | seconds to the first frame | times direct | normals, mean, degrees | PSNR, dB |", "| --- " * 5 + "|"]
-    truth = reference = None
-    for row in (DIRECT, NEAREST, pca(NEIGHBORS[0])):  # more neighbours take longer
-        found, truth = measure(row, model, radius, truth)
-        reference = reference or found["seconds"]
-        lines.append(
-            f"| {row} | {found['seconds']:.2f} | {found['seconds'] / reference:.1f} | {found['normal_mean']:.2f} "
-            f"| {found['psnr']:.1f} |"
-        )
-        progress(lines[-1])
+def noise_table(results):
+    """A line for each row, a column for each noise."""
+    noises = dict.fromkeys(result.noise for result in results)
+    heading = ("normals, mean, degrees; PSNR, dB; seconds", *(f"noise {noise}" for noise in noises))
+    lines = ["| " + " | ".join(heading) + " |", "| --- " * (len(noises) + 1) + "|"]
+    for row in dict.fromkeys(result.row for result in results):
+        cells = [str(result) for result in results if result.row == row]
+        lines.append("| " + " | ".join((row, *cells)) + " |")
+    return lines
+
+
+def describe(results):
+    """What the tables show of what direct rendering is for, as a list of Markdown."""
+    direct = {(r.model, r.count, r.noise): r for r in results if r.row == DIRECT}
+    peers = [r for r in results if not r.row.startswith("direct")]
+
+    def against(peer):
+        return direct[peer.model, peer.count, peer.noise]
+
+    def name(peer):
+        return f"{peer.model}, {peer.count:,} points, noise {peer.noise}, {peer.row}"
+
+    largest = max(r.count for r in results)
+    lines = []
+    for peer in (r for r in peers if r.count == largest):
+        times = peer.seconds / against(peer).seconds
+        word = "more" if times >= TIMES_FASTER else "less"
+        lines.append(f"- {name(peer)}: direct is {times:.1f} times faster to the first frame, {word} than {TIMES_FASTER}.")
+    base = {(r.model, r.count, r.noise): r.seconds for r in peers if r.row == pca(NEIGHBORS[0])}
+    for neighbors in NEIGHBORS[1:]:
+        times = [r.seconds / base[r.model, r.count, r.noise] for r in peers if r.row == pca(neighbors)]
+        lines.append(f"- {pca(neighbors)}: {min(times):.1f} to {max(times):.1f} times the seconds of {pca(NEIGHBORS[0])}.")
+    noisy = [r for r in peers if r.noise >= NOISY]
+    faster = [name(r) for r in noisy if r.seconds <= against(r).seconds and r.normals < against(r).normals]
+    better = [name(r) for r in noisy if r.normals < against(r).normals]
+    pictures = [name(r) for r in noisy if r.psnr > against(r).psnr]
+    lines.append(
+        f"- Noise of {NOISY} and more, {len(noisy)} cases: better normals in equal or less time: "
+        f"{'; '.join(faster) or 'none'}. Better normals at all: {'; '.join(better) or 'none'}. "
+        f"Better PSNR: {'; '.join(pictures) or 'none'}."
+    )
+    early = {(r.model, r.count, r.noise): r.psnr for r in results if r.row == EARLY}
+    gains = [value - direct[key].psnr for key, value in early.items()]
+    lines.append(f"- Shading before splatting changes the PSNR by {min(gains):+.2f} to {max(gains):+.2f} dB.")
     return lines
 
 
@@ -175,11 +229,11 @@ def peers(model, radius, normals):
     yield "points of OpenGL, unlit", points
 
 
-def time_direct(scene, window, mapper):
+def time_direct(scene, window, mapper, frames):
     """Medians of the passes of the paper and of the frame, in milliseconds."""
     time_frames(window, scene.renderer, 1, 2)
     samples = []
-    for _ in range(FRAMES):
+    for _ in range(frames):
         frame = time_frames(window, scene.renderer, 1, 0, mapper)
         normals = mapper.GetLastFrameNormalsMilliseconds()
         samples.append((frame["project"], normals, frame["reconstruct"] - normals, frame["shade"], frame["frame"]))
@@ -201,13 +255,13 @@ def stage_table(stages, sizes, progress):
             scene = errors.Scene(model, "whole")
             scene.actor.SetProperty(scene.lit)
             window = offscreen_window(scene.renderer, (size, size))
-            direct = vtkDirectPointMapper()
-            direct.SetInputData(model.cloud)
-            scene.actor.SetMapper(direct)
-            times = time_direct(scene, window, direct)
             label = f"{name}, {count:,} points, {size}x{size}"
-            lines.append(f"| {label}: direct | " + " | ".join(f"{t:.1f}" for t in times) + " |")
-            progress(lines[-1])
+            for row in (DIRECT, NEAREST, EARLY) if size == sizes[0] else (DIRECT, NEAREST):
+                direct = prepare(row, model.cloud, radius, None)
+                scene.actor.SetMapper(direct)
+                times = time_direct(scene, window, direct, 1 if row == EARLY else FRAMES)
+                lines.append(f"| {label}: {row} | " + " | ".join(f"{t:.1f}" for t in times) + " |")
+                progress(lines[-1])
             for peer, mapper in peers(model, radius, with_normals):
                 scene.actor.SetMapper(mapper)
                 frame = time_frames(window, scene.renderer, FRAMES, 2)["frame"]
@@ -243,26 +297,24 @@ def main():
         if arguments.output:
             write_whole(arguments.output, ("\n".join(lines).rstrip() + "\n").encode())
 
-    count = 20_000 if quick else LARGE
+    many, few = (20_000, 10_000) if quick else (LARGE, COUNT)
+    results = noise_results("bunny", many, NOISE[2:], (DIRECT, NEAREST, pca(NEIGHBORS[0])), progress)
     add(
         [
-            f"## To the first frame: bunny, {count:,} points, noise 0.5",
+            f"## To the first frame: bunny, {many:,} points",
             "",
             "With more neighbours the peer takes longer still.",
             "",
-            *first_frame_table(0.5, count, progress),
+            *noise_table(results),
         ]
     )
-    add(
-        [
-            f"## Errors by noise, {COUNT:,} points",
-            "",
-            "The last row is what the paper's order would give, shading the image buffer and splatting colours, estimated",
-            "from the same surface drawn at the image buffer's resolution. Seconds are those to the first frame.",
-        ]
-    )
+    add([f"## By noise, {few:,} points", "", "Seconds are those to the first frame."])
     for name in models[: 1 if quick else None]:
-        add(noise_table(name, NOISE[2:3] if quick else NOISE, progress))
+        rows = (DIRECT, NEAREST, EARLY, *map(pca, NEIGHBORS))
+        found = noise_results(name, few, NOISE[2:3] if quick else NOISE, rows, progress)
+        add([f"### {name}", "", *noise_table(found)])
+        results += found
+    add(["## What these show", "", *describe(results)])
     stages = [(n, 20_000 if quick else c, s) for n, c, s in STAGES[: 1 if quick else None]]
     stages = [stage for stage in stages if errors.read_mesh(stage[0]) is not None]
     table = stage_table(stages, SIZES[: 1 if quick else None], progress)
