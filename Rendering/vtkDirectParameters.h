@@ -40,6 +40,10 @@ struct vtkDirectParameters
   static constexpr int FitRadius = 3;
   static constexpr float FitDepth = 5.0f;
   static constexpr float RefitDepth = 2.0f;
+  /// Where the depth steps by so many cells and more from cell to cell, and the larger of two steps
+  /// is at most EvenSteps - 1 times the other, the first fit starts from their slope.
+  static constexpr float SteepStep = FitDepth;
+  static constexpr float EvenSteps = 3.0f;
 
   vtkDirectParameters(const vtkPointSurfaceView& view, const vtkDirectOptions& options);
 

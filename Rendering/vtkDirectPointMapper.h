@@ -90,10 +90,11 @@ public:
   ///@{
   /**
    * Fit planes to the points of 49 cells, with weights that fall to 0 within three cells, first to
-   * those not too far before or behind the cell's own points, then to those near that plane; in the
-   * paper (section 3.3) all points of 9 cells count the same. Surfaces at different depths do not
-   * mix, noise is less, and normals change less as points move from cell to cell: this is the
-   * remedy against flicker. Default on.
+   * those not too far before or behind the cell's own points (or, where depths step evenly from
+   * cell to cell, the slope that they follow), then to those near that plane; in the paper (section
+   * 3.3) all points of 9 cells count the same. Surfaces at different depths do not mix, grazing
+   * ones stay whole, noise is less, and normals change less as points move from cell to cell: this
+   * is the remedy against flicker. Default on.
    */
   vtkSetMacro(WeightedNormals, bool);
   vtkGetMacro(WeightedNormals, bool);

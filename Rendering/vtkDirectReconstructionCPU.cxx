@@ -248,6 +248,29 @@ void GatherPoints(const vtkDirectParameters& p, const Grid& grid, int x, int y, 
   }
 }
 
+/// The slope along an axis of a surface that is seen at a grazing angle, and goes on to both sides
+/// of a cell; else 0. At the edge of a surface one step is much larger than the other.
+float GetSteepSlope(const Grid& grid, int x, int y, int axis, float scale)
+{
+  const int dx = axis == 0 ? 1 : 0;
+  const int dy = 1 - dx;
+  const Cell* before = grid.Occupied(x - dx, y - dy);
+  const Cell* after = grid.Occupied(x + dx, y + dy);
+  if (!before || !after)
+  {
+    return 0.0f;
+  }
+  const float middle = grid.At(x, y)->Nearest[2];
+  const float steps[2] = { scale * (middle - before->Nearest[2]),
+    scale * (after->Nearest[2] - middle) };
+  const float least = std::min(std::abs(steps[0]), std::abs(steps[1]));
+  const float rise = steps[0] + steps[1];
+  const float run = scale * (after->Nearest[axis] - before->Nearest[axis]);
+  const bool goesOn =
+    steps[0] * steps[1] > 0.0f && std::abs(rise) <= vtkDirectParameters::EvenSteps * least;
+  return goesOn && least >= vtkDirectParameters::SteepStep && run > 0.0f ? rise / run : 0.0f;
+}
+
 /// Gives the cell its normal and the mean of its two points.
 void FitNormal(const vtkDirectParameters& p, const Grid& grid, int x, int y, int level, Cell& cell)
 {
@@ -263,6 +286,8 @@ void FitNormal(const vtkDirectParameters& p, const Grid& grid, int x, int y, int
   bool fits;
   if (p.Options.WeightedNormals)
   {
+    plane.A = GetSteepSlope(grid, x, y, 0, scale);
+    plane.B = GetSteepSlope(grid, x, y, 1, scale);
     const float gamma = p.Gamma * scale;
     fits = FitPlane(points, std::max(gamma, vtkDirectParameters::FitDepth), plane);
     fits = fits && FitPlane(points, std::max(gamma, vtkDirectParameters::RefitDepth), plane);

@@ -148,6 +148,8 @@ void vtkDirectReconstructionOpenGL::FitNormals(vtkOpenGLRenderWindow* window,
   program->SetUniformf("fitRadius", vtkDirectParameters::FitRadius);
   const float fitDepths[2] = { vtkDirectParameters::FitDepth, vtkDirectParameters::RefitDepth };
   program->SetUniform2f("fitDepths", fitDepths);
+  program->SetUniformf("steepStep", vtkDirectParameters::SteepStep);
+  program->SetUniformf("evenSteps", vtkDirectParameters::EvenSteps);
   splats.BindForWriting(window);
   DrawRectangle(window, pass, r, parameters.Levels[level].Offset);
   ++this->Passes;

@@ -14,6 +14,8 @@ uniform bool weighted;  // points count the less the farther away they are
 uniform int reach;      // cells to each side whose points count
 uniform float fitRadius;
 uniform vec2 fitDepths; // how far from the mean, and then from the first plane, points count
+uniform float steepStep; // least step in depth, in cells, of a slope that the fit starts from
+uniform float evenSteps; // two steps are at most so many times the smaller one
 
 vec4 getShape(ivec2 cell)
 {
@@ -72,17 +74,39 @@ bool fitPlane(ivec2 cell, vec3 mean, float scale, float distance, inout vec3 pla
   return true;
 }
 
+// The slope along an axis of a surface that is seen at a grazing angle, and goes on to both sides of a
+// cell; else 0. At the edge of a surface one step is much larger than the other.
+float getSteepSlope(ivec2 cell, int axis, float scale)
+{
+  ivec2 side = ivec2(1 - axis, axis);
+  vec4 before = getShape(cell - side);
+  vec4 after = getShape(cell + side);
+  float middle = getShape(cell).z;
+  vec2 steps = scale * vec2(middle - before.z, after.z - middle);
+  float least = min(abs(steps.x), abs(steps.y));
+  float rise = steps.x + steps.y;
+  float run = scale * (after[axis] - before[axis]);
+  bool goesOn = before.w > 0.0 && after.w > 0.0 && steps.x * steps.y > 0.0 && abs(rise) <= evenSteps * least;
+  return goesOn && least >= steepStep && run > 0.0 ? rise / run : 0.0;
+}
+
 vec3 fitNormal(ivec2 cell, vec3 mean)
 {
   float scale = 1.0 / (size * getEyeCell(-mean.z));
   vec3 plane = vec3(0.0);
+  if (weighted)
+  {
+    plane.x = getSteepSlope(cell, 0, scale);
+    plane.y = getSteepSlope(cell, 1, scale);
+  }
   bool fits = fitPlane(
     cell, mean, scale, weighted ? max(gamma * scale, fitDepths.x) : 3.4e38, plane);
   if (fits && weighted)
   {
     fitPlane(cell, mean, scale, max(gamma * scale, fitDepths.y), plane);
   }
-  vec3 normal = fits || parallel ? vec3(-plane.xy, 1.0) : -mean;
+  bool slanted = fits || any(notEqual(plane.xy, vec2(0.0))); // a steep slope is left as it is
+  vec3 normal = slanted || parallel ? vec3(-plane.xy, 1.0) : -mean;
   float towards = parallel ? normal.z : -dot(normal, mean);
   return normalize(towards < 0.0 ? -normal : normal);
 }

@@ -185,9 +185,9 @@ def test_two_sheets_closer_than_a_radius(method):
     assert_within(figures(found, truth), 0, 0.11 * radius, 1.0)
 
 
-# Degrees between the view and the plane. vtkDirectPointMapper, whose points have no normals, takes what is some cells
-# behind its neighbour for another surface.
-GRAZING = {"direct": 15}
+# Degrees between the view and the plane. vtkDirectPointMapper, whose points have no normals, needs the cells before and
+# behind one to tell a slope from two surfaces: at 3 degrees the first of six rows has none before it.
+GRAZING = {"direct": 4}
 
 
 @every_method
