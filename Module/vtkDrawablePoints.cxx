@@ -167,7 +167,11 @@ void vtkDrawablePoints::SelectPoints(vtkPolyData* input)
     }
   }
   this->NumberOfDrawnPoints = drawn;
-  this->DrawnIds.swap(ids);
+  if (ids != this->DrawnIds)
+  {
+    this->DrawnIds.swap(ids);
+    this->DrawnIdsTime.Modified();
+  }
   if (drawn == 0)
   {
     this->Cloud->SetPoints(vtkNew<vtkPoints>());

@@ -104,10 +104,11 @@ public:
   ///@}
 
   /**
-   * Ids of the input's points to draw, in rising order; empty when all `GetNumberOfDrawnPoints()`
-   * of them are drawn.
+   * Ids of the input's points to draw, in rising order, and when they last changed; empty when all
+   * `GetNumberOfDrawnPoints()` of them are drawn.
    */
   const std::vector<unsigned int>& GetDrawnIds() const { return this->DrawnIds; }
+  vtkMTimeType GetDrawnIdsTime() const { return this->DrawnIdsTime; }
   vtkIdType GetNumberOfDrawnPoints() const { return this->NumberOfDrawnPoints; }
 
   ///@{
@@ -165,6 +166,7 @@ private:
   double LargestRadius = 0.0;
   double MeanRadius = 0.0;
   std::vector<unsigned int> DrawnIds;
+  vtkTimeStamp DrawnIdsTime;
   vtkIdType NumberOfDrawnPoints = 0;
   double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
   vtkSpatialOrder Order;
