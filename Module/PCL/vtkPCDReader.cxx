@@ -8,10 +8,13 @@
 #include "vtkPCLConversion.h"
 #include "vtkPolyData.h"
 
+#include <boost/interprocess/file_mapping.hpp>
+#include <boost/interprocess/mapped_region.hpp>
 #include <pcl/console/print.h>
 #include <pcl/io/pcd_io.h>
 
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -114,7 +117,10 @@ void ReadCloud(const char* name, vtkAlgorithm* reader, Cloud& cloud)
     throw std::runtime_error("it does not exist, or may not be read");
   }
   const vtkPCDHeader header(file);
-  const std::streampos data = file.tellg();
+  const auto data = static_cast<std::size_t>(file.tellg());
+  std::string head(data, '\0');
+  file.seekg(0);
+  file.read(&head[0], static_cast<std::streamsize>(data));
   const bool text = header.GetEncoding() == vtkPCDHeader::Encoding::Ascii;
   if (text)
   {
@@ -124,33 +130,33 @@ void ReadCloud(const char* name, vtkAlgorithm* reader, Cloud& cloud)
     {
       return;
     }
-    file.clear();
-    file.seekg(0);
   }
 
+  // PCL sees the header alone: it would go on reading lines of it in the data.
   const SilentPCL silent;
   pcl::PCDReader pcd;
+  std::istringstream lines(head);
   int version = 0;
-  int result = 0;
-  if (text || header.GetNumberOfPoints() == 0)
+  int encoding = 0;
+  unsigned int begin = 0;
+  int result =
+    pcd.readHeader(lines, cloud.Points, cloud.Origin, cloud.Orientation, version, encoding, begin);
+  if (result == 0 && header.GetNumberOfPoints() > 0)
   {
-    int encoding = 0;
-    unsigned int begin = 0;
-    buffer.SetRange(0.0, 0.0);
-    file.seekg(0);
-    result =
-      pcd.readHeader(file, cloud.Points, cloud.Origin, cloud.Orientation, version, encoding, begin);
-    if (result == 0 && text)
+    if (text)
     {
       file.clear();
-      file.seekg(data);
+      file.seekg(static_cast<std::streamoff>(data));
       buffer.SetRange(0.2, 0.8);
       result = pcd.readBodyASCII(file, cloud.Points, version);
     }
-  }
-  else
-  {
-    result = pcd.read(name, cloud.Points, cloud.Origin, cloud.Orientation, version);
+    else
+    {
+      using namespace boost::interprocess;
+      const mapped_region map(file_mapping(name, read_only), read_only);
+      result = pcd.readBodyBinary(static_cast<const unsigned char*>(map.get_address()),
+        cloud.Points, version, encoding == 2, static_cast<unsigned int>(data));
+    }
   }
   if (result < 0 && !reader->GetAbortExecute())
   {

@@ -317,8 +317,9 @@ void vtkPCLConversion::Read(
     pointData->SetNormals(normals);
   }
 
-  const int width = static_cast<int>(rows.Ids ? rows.Count : layout.Width);
-  const int height = static_cast<int>(rows.Ids ? 1 : layout.Height);
+  const bool whole = rows.Count == static_cast<vtkIdType>(layout.Width) * layout.Height;
+  const int width = static_cast<int>(whole ? layout.Width : rows.Count);
+  const int height = static_cast<int>(whole ? layout.Height : 1);
   AddFieldData<vtkIntArray>(output, "organised_dims", { width, height });
 }
 

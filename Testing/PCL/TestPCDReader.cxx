@@ -214,6 +214,15 @@ void TestContent(PointSurfaceTest::Checks& check)
   check(output->GetPointData()->GetScalars()->GetNumberOfComponents() == 3, "no opacities");
   check(output->GetFieldData()->GetArray("organised_dims")->GetTuple1(0) == 7, "still a grid");
 
+  for (auto& point : clear)
+  {
+    point.y = NaN;
+  }
+  vtkPCLConversion::ToPolyData(clear, output, true);
+  size = output->GetFieldData()->GetArray("organised_dims");
+  check(output->GetNumberOfPoints() == 0 && size->GetTuple1(0) == 0 && size->GetTuple1(1) == 1,
+    "all points are left out");
+
   // From polydata that knows more and less than the point type.
   vtkSmartPointer<vtkPolyData> sphere = PointSurfaceTest::MakeSphereCloud(50);
   vtkNew<vtkPoints> doubles;
@@ -463,6 +472,14 @@ void TestFaults(PointSurfaceTest::Checks& check, const std::string& folder)
     Replaced(none.substr(0, none.find("1 2 3 4")), "ascii", "binary_compressed") +
       std::string(8, '\0'));
   check(Reading(file).Succeeded(0), "no points, compressed");
+  // Data that look like a header are none.
+  std::string data = "FIELDS x y z\nSIZE 4 4 4\nPOINTS 1000000\nDATA binary_compressed\n";
+  data.resize(120, '0');
+  WriteContent(file, "FIELDS x y z\nPOINTS 10\nDATA binary\n" + data);
+  Reading disguised(file);
+  check(disguised.Succeeded(10) &&
+      std::memcmp(disguised.GetOutput()->GetPoints()->GetVoidPointer(0), data.data(), 120) == 0,
+    "data like a header");
   // As files were before version 0.7.
   WriteContent(file, "COLUMNS x y z\nPOINTS 1\nDATA ascii\n1 2 3\n");
   check(Reading(file).Succeeded(1), "an old header");
