@@ -252,6 +252,16 @@ void CheckBlocks(const Kind& kind)
   scene.Render();
   check(!scene.IsEmpty(1.5, 0.0), name + ": all are visible again");
 
+  // by attributes that the user made
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  auto* right = vtkCompositeDataDisplayAttributes::DataObjectFromIndex(Right, tree);
+  attributes->SetBlockVisibility(right, false);
+  mapper->SetCompositeDataDisplayAttributes(attributes);
+  scene.Render();
+  check(!scene.IsEmpty(-1.5, 0.0) && scene.IsEmpty(1.5, 0.0) && !mapper->GetBlockVisibility(Right),
+    name + ": a block that attributes hide");
+  mapper->SetCompositeDataDisplayAttributes(nullptr);
+
   // colour in place of the property's and of scalars
   mapper->SetBlockColor(Left, 1.0, 0.0, 0.0);
   scene.Render();
