@@ -147,7 +147,7 @@ std::vector<Case> GetCases()
     { "all radii zero", [](vtkPolyData* c, Mapper*) { Radii(c)->Fill(0.0); },
       "radii are estimated instead", true, Radius },
     { "a huge radius", [](vtkPolyData* c, Mapper*) { Radii(c)->SetValue(7, 1e30f); },
-      "larger than the whole cloud", true, Radius },
+      "larger than the whole cloud", true, Radius, true },
     { "an array that is not there", [](vtkPolyData*, Mapper* m) { m->SetRadiusArray("thickness"); },
       "no point array 'thickness'", true, Radius },
     { "an array of normals as radii", [](vtkPolyData*, Mapper* m) { m->SetRadiusArray("Normals"); },

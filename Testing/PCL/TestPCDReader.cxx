@@ -304,7 +304,7 @@ AnyTypes MakeAnyTypes(std::int64_t large)
   any.AddLimits<std::uint32_t>("u4", Field::UINT32);
   any.Add<std::int16_t>("z", Field::INT16, { -7 });
   any.Add<std::int64_t>("i8", Field::INT64, { -large, 1, large });
-  any.Add<std::uint64_t>("u8", Field::UINT64, { 0, 1, large });
+  any.Add<std::uint64_t>("u8", Field::UINT64, { 0, 1, static_cast<std::uint64_t>(large) });
   any.AddLimits<float>("f4", Field::FLOAT32);
   any.AddLimits<double>("f8", Field::FLOAT64);
   any.Add<std::uint8_t>("b1", Field::BOOL, { 1 });
