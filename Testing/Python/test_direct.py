@@ -131,7 +131,7 @@ def test_nothing_is_estimated_but_the_sampling_distance():
         mapper.AddObserver("ProgressEvent", lambda *_: texts.append(mapper.GetProgressText()))
 
     mapper = draw(positions(grid()), watch)
-    assert set(texts) - {None} == {"Estimating the sampling distance"}
+    assert set(texts) - {None} == {"Estimating the sampling distance", "Ordering points"}
     count = len(texts) - texts.count(None)
     mapper.SetDepthTolerance(0.01)
     mapper.window.Render()
