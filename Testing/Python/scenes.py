@@ -12,6 +12,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 from vtkmodules.vtkTestingRendering import vtkTesting
 
@@ -157,6 +158,21 @@ class Scene:
         self.camera.SetViewUp(0, 0, 1)
         self.renderer.ResetCamera(data.GetBounds())  # not the mapper's own: those of splats reach farther
         self.camera.Zoom(1.6)
+
+    def add_floor(self):
+        """A square below the surface, larger than it; returns its actor."""
+        floor = vtkPlaneSource()
+        floor.SetOrigin(-2.5, -2.5, -0.6)
+        floor.SetPoint1(2.5, -2.5, -0.6)
+        floor.SetPoint2(-2.5, 2.5, -0.6)
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputConnection(floor.GetOutputPort())
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetColor(0.9, 0.8, 0.6)
+        self.renderer.AddActor(actor)
+        self.renderer.ResetCameraClippingRange()
+        return actor
 
     def color(self):
         """The picture: (height, width, 3), 0 to 1."""

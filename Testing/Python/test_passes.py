@@ -17,7 +17,7 @@ from scenes import (
     variants,
 )
 from vtkmodules.vtkCommonDataModel import vtkDataObject
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkHardwareSelector, vtkLight, vtkPolyDataMapper
 from vtkmodules.vtkRenderingOpenGL2 import (
     vtkCameraPass,
@@ -68,16 +68,7 @@ def by_sequence(scene):
 
 
 def add_floor(scene):
-    floor = vtkPlaneSource()
-    floor.SetOrigin(-2.5, -2.5, -0.6)
-    floor.SetPoint1(2.5, -2.5, -0.6)
-    floor.SetPoint2(-2.5, 2.5, -0.6)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(floor.GetOutputPort())
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(0.9, 0.8, 0.6)
-    scene.renderer.AddActor(actor)
+    scene.add_floor()
     scene.camera.Zoom(0.7)
     scene.renderer.ResetCameraClippingRange()
 
