@@ -100,9 +100,8 @@ public:
    * times finer and then averaged: smoother normals, and outlines that blend with what has been
    * drawn before (so draw what lies behind first, or give the window multisamples: there outlines
    * blend by the share of samples that they cover, whatever is drawn first, without supersampling
-   * too). The cost grows with the number of samples. A
-   * value for which the viewport would be larger than a texture can be, or have more than 2^25
-   * samples, is lowered, with a warning.
+   * too). The cost grows with the number of samples. A value for which the viewport would be larger
+   * than a texture can be, or have more than 2^25 samples, is lowered, with a warning.
    */
   vtkSetClampMacro(Supersampling, int, 1, 4);
   vtkGetMacro(Supersampling, int);
@@ -306,8 +305,8 @@ protected:
    * For subclasses that draw points by steps of their own in place of ProjectPoints(): the clouds,
    * for the back end of the frame, less what lies outside of the image by more than `reach` radii.
    * Their points are counted for the statistics; if they are to be thinned (see vtkPointThinning),
-   * the views have larger radii to match. What the subclass does
-   * from BeginProjection() to EndProjection() is timed as projection, the rest as reconstruction.
+   * the views have larger radii to match. What the subclass does from BeginProjection() to
+   * EndProjection() is timed as projection, the rest as reconstruction.
    */
   vtkDrawnClouds GetDrawnClouds(
     const vtkPointSurfaceView& view, int thinning = 0, double reach = 0.0);
