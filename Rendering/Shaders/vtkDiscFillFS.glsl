@@ -69,6 +69,17 @@ float getDistance(ivec2 pixel, ivec2 place)
   return q;
 }
 
+// The distance from another pixel's disc, infinite where its point is missing or beyond a depth.
+float getDistanceWithin(ivec2 pixel, ivec2 place, float limit)
+{
+  float depth = getDepth(place);
+  if (depth > 0.0 && depth <= limit && place != pixel)
+  {
+    return getDistance(pixel, place);
+  }
+  return infinite;
+}
+
 // The pixel whose point fills this one, or this one itself where it stays as it is.
 ivec2 findSource(ivec2 pixel, float own)
 {
@@ -80,13 +91,9 @@ ivec2 findSource(ivec2 pixel, float own)
     for (int x = -reach; x <= reach; ++x)
     {
       ivec2 place = pixel + ivec2(x, y);
-      float depth = getDepth(place);
-      if (depth > 0.0 && depth <= limit && place != pixel)
-      {
-        float q = getDistance(pixel, place);
-        near += q <= nearLimit ? 1 : 0;
-        front = q <= 1.0 ? min(front, depth) : front;
-      }
+      float q = getDistanceWithin(pixel, place, limit);
+      near += q <= nearLimit ? 1 : 0;
+      front = q <= 1.0 ? min(front, getDepth(place)) : front;
     }
   }
   ivec2 source = pixel;
@@ -101,13 +108,9 @@ ivec2 findSource(ivec2 pixel, float own)
     for (int x = -reach; x <= reach; ++x)
     {
       ivec2 place = pixel + ivec2(x, y);
-      float depth = getDepth(place);
-      if (depth > 0.0 && depth <= limit && place != pixel)
-      {
-        float q = getDistance(pixel, place);
-        source = q < least ? place : source;
-        least = min(q, least);
-      }
+      float q = getDistanceWithin(pixel, place, limit);
+      source = q < least ? place : source;
+      least = min(q, least);
     }
   }
   return source;
