@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Table 2 of the algebraic splats' paper (Bolla, Narayanan), of this machine, with peers beside it.
 
-    python3 Testing/Benchmarks/algebraic.py [--output [FILE]] [--tests PROGRAM [--polynomials N]] [MODEL ...]
+    python3 Testing/Benchmarks/algebraic.py [--output [FILE]] [--keep DIR] [--tests PROGRAM [--polynomials N]] [MODEL ...]
 
-A process of its own for each model. PYTHONPATH must lead to the package pointsurface. The models lie in ../shared/data
+A process of its own for each model, half a minute to five minutes each; with --keep a run that was stopped goes on where
+it was. PYTHONPATH must lead to the package pointsurface. The models lie in ../shared/data
 beside the project, or in the folder POINTSURFACE_SHARED_DATA; those that are not there are left out, the sphere is
 generated. PROGRAM is the C++ tests' (build/bin/vtkPointSurfaceCxxTests); with it the table of root finders is made too,
-of N random polynomials of each degree.
+of N random polynomials of each degree: nine minutes.
 """
 
 import argparse
@@ -231,19 +232,34 @@ def memory(key):
         return next(int(line.split()[1]) for line in file if line.startswith(key + ":")) * 1024 / 1_000_000
 
 
-def run_alone(*arguments):
-    """The last line that this program prints, run with arguments in a process of its own."""
-    command = [sys.executable, os.path.abspath(__file__), *arguments]
-    return subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout.splitlines()[-1]
+def run_alone(*command):
+    """What a command prints, in a process of its own."""
+    return subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout
 
 
-def make_report(models, tests, polynomials):
+def run_self(*arguments):
+    return run_alone(sys.executable, os.path.abspath(__file__), *arguments)
+
+
+def recall(folder, name, measure):
+    """The text that measure() returns, or what it returned before; it is kept as a file of the folder, if there is one."""
+    path = os.path.join(folder, name) if folder else ""
+    if os.path.exists(path):
+        with open(path, encoding="utf-8") as file:
+            return file.read()
+    print(name, file=sys.stderr, flush=True)
+    text = measure()
+    if folder:
+        write_whole(path, text.encode())
+    return text
+
+
+def make_report(models, tests, polynomials, folder=None):
     lines, renderer = [], ""
     for name in models:
         if read_mesh(name) is None:
             continue
-        print(name, file=sys.stderr, flush=True)
-        measured = json.loads(run_alone("--measure", name))
+        measured = json.loads(recall(folder, f"{name}.json", lambda: run_self("--measure", name)).splitlines()[-1])
         renderer = measured["renderer"]
         for row in measured["rows"]:
             show = lambda key, form: form.format(row[key]) if key in row else ""
@@ -263,14 +279,14 @@ for a plane (and for a point with normal and radius), {FRAME_FLOATS} and the coe
 the selection. Frame: the median of {FRAMES} by the clock, camera moving. Error: mean distance of the patches, within what
 each stands for, from the mesh, in percent of the bounding box's diagonal, and the distance that one in a hundred is
 over: large where sharp edges are smoothed, as fandisk's are. Unfilled: of the pixels within the mesh's silhouette, those
-at its rim apart; LOP leaves holes where it spreads splats too thinly. Armadillo, dragon, buddha, lucy and bunny are of the Stanford University Computer
-Graphics Laboratory.
+at its rim apart; LOP leaves holes where it spreads splats too thinly. Armadillo, dragon, buddha, lucy and bunny are of
+the Stanford University Computer Graphics Laboratory.
 
 | model | what | order | splats, points or triangles | share, % | KiB | fit, s | frame, ms | error, % | 99th, % | unfilled, % |
 | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |
 """ + "\n".join(lines) + f"""
 
-{run_alone('--million')}
+{recall(folder, "million.txt", lambda: run_self("--million")).splitlines()[-1]}
 
 ## Fig. 1: a sphere at growing zoom
 
@@ -281,14 +297,14 @@ Mean angle between the normals drawn and the sphere's, in degrees, of splats by 
 {sphere_at_zoom()}
 """
     if tests:
-        result = subprocess.run([tests, "TestPolynomialRoots", str(polynomials)], stdout=subprocess.PIPE, text=True, check=True)
+        roots = recall(folder, "roots.txt", lambda: run_alone(tests, "TestPolynomialRoots", str(polynomials)))
         text += """
 ## Root finders
 
 The first root in [0, 1], judged by Sturm's theorem in a hundred digits. Hard: double, triple and nearly multiple roots,
 leading coefficients that vanish, coefficients from 1e-12 to 1e12, rays that graze. Nanoseconds are of one thread.
 
-""" + "\n".join(line for line in result.stdout.splitlines() if line.startswith("|")) + "\n"
+""" + "\n".join(line for line in roots.splitlines() if line.startswith("|")) + "\n"
     return text
 
 
@@ -296,6 +312,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--output", nargs="?", const=os.path.join(HERE, "algebraic.md"), metavar="FILE",
                         help="write the report to a file")
+    parser.add_argument("--keep", metavar="DIR", help="keep what is measured in a folder, and take from there what it has")
     parser.add_argument("--tests", metavar="PROGRAM", help="the C++ tests' program, for the table of root finders")
     parser.add_argument("--polynomials", type=int, default=1_000_000, metavar="N", help="how many (default: %(default)s)")
     parser.add_argument("--million", action="store_true", help=argparse.SUPPRESS)
@@ -308,7 +325,9 @@ def main():
     if arguments.million:
         million_points()
         return
-    report = make_report(arguments.models or MODELS, arguments.tests, arguments.polynomials)
+    if arguments.keep:
+        os.makedirs(arguments.keep, exist_ok=True)
+    report = make_report(arguments.models or MODELS, arguments.tests, arguments.polynomials, arguments.keep)
     print(report, end="")
     if arguments.output:
         write_whole(arguments.output, report.encode())
