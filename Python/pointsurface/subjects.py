@@ -74,7 +74,12 @@ def _default_subject(isovalue):
         head = read(HEAD, tell=True)
         return _isosurface("MR head (Colin 27)", head, HEAD_ISOVALUE if isovalue is None else isovalue)
     remark = f"{HEAD} is not there (Debian's mricron-data has it): a gyroid in a ball instead"
-    return _isosurface("gyroid in a ball", gyroid_ball(), 0.0 if isovalue is None else isovalue, remark)
+    return gyroid(isovalue=0.0 if isovalue is None else isovalue, remark=remark)
+
+
+def gyroid(samples=128, isovalue=0.0, remark=""):
+    """A subject that needs no file: the gyroid's labyrinth inside of a ball, of a volume of samples^3. Raises WrongUse."""
+    return _isosurface("gyroid in a ball", gyroid_ball(samples), isovalue, remark)
 
 
 def _isosurface(name, volume, isovalue, remark=""):

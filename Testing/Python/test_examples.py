@@ -18,6 +18,8 @@ def near(picture, color, tolerance=0.12):
     return np.abs(picture - color).max(axis=-1) < tolerance
 
 
+SKIN = np.array((0.7, 0.62, 0.54))
+
 # shares of the picture that have a colour: at least
 EXPECTED = {
     "lights.py": lambda p: {"warm": (near(p, (0.95, 0.78, 0.6)), 0.02), "cold": (p[..., 2] > p[..., 0] + 0.2, 0.02)},
@@ -32,10 +34,10 @@ EXPECTED = {
         "points": (p[..., 0] > p[..., 2] + 0.2, 0.1),
         "volume": (p[..., 2] > p[..., 0] + 0.05, 0.05),
     },
-    "styles.py": lambda p: {
-        "surface": (near(p, (0.7, 0.65, 0.56), 0.3), 0.1),
-        "lines of the last style": (near(p[:, -300:], 0, 0.1), 0.02),
-    },
+    "style_plain.py": lambda p: {"surface": (near(p, SKIN, 0.35), 0.3), "no line": (~near(p, 0, 0.1), 0.99)},
+    "style_silhouettes.py": lambda p: {"surface": (near(p, SKIN, 0.35), 0.2), "lines": (near(p, (0.1, 0.1, 0.4), 0.1), 0.03)},
+    "style_feature_lines.py": lambda p: {"surface": (near(p, SKIN, 0.35), 0.2), "lines": (near(p, 0, 0.1), 0.01)},
+    "style_both.py": lambda p: {"surface": (near(p, SKIN, 0.35), 0.2), "lines": (near(p, 0, 0.1), 0.03)},
     "raw_scan.py": lambda p: {"surface": (near(p, (0.5, 0.57, 0.43), 0.35) & (p[..., 1] > p[..., 2]), 0.2)},
     "few_splats.py": lambda p: {
         "order 4": (p[..., 0] > p[..., 1] + 0.2, 0.02),
