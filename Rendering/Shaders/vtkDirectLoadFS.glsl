@@ -17,10 +17,6 @@ void main()
   vec3 far = occupied ? getPosition(texelFetch(farthestInterval, cell, 0)) : vec3(0.0);
   OUT_SHAPE = vec4(near, occupied ? 1.0 : 0.0);
   OUT_INTERVAL = vec4(far, occupied ? 1.0 : 0.0);
-#ifdef HAS_ID
-  OUT_ID = texelFetch(nearestId, cell, 0).r;
-#endif
-#ifdef HAS_COLOR
-  OUT_COLOR = 0.5 * (texelFetch(nearestColor, cell, 0) + texelFetch(farthestColor, cell, 0));
-#endif
+  WRITE_ID(texelFetch(nearestId, cell, 0).r);
+  WRITE_COLOR(0.5 * (texelFetch(nearestColor, cell, 0) + texelFetch(farthestColor, cell, 0)));
 }

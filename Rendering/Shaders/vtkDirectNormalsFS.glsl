@@ -142,10 +142,6 @@ void main()
   }
   OUT_SHAPE = splat;
   OUT_INTERVAL = place;
-#ifdef HAS_ID
-  OUT_ID = texelFetch(inId, cell, 0).r;
-#endif
-#ifdef HAS_COLOR
-  OUT_COLOR = texelFetch(inColor, cell, 0);
-#endif
+  WRITE_ID(texelFetch(inId, cell, 0).r);
+  WRITE_COLOR(texelFetch(inColor, cell, 0));
 }

@@ -122,10 +122,6 @@ void main()
   ivec2 source = findSource(pixel, getDepth(pixel));
   float depth = getDepth(source);
   OUT_SURFACE = depth > 0.0 ? vec4(texelFetch(inShape, source, 0).xyz, depth) : vec4(0.0);
-#ifdef HAS_ID
-  OUT_ID = texelFetch(inId, source, 0).r;
-#endif
-#ifdef HAS_COLOR
-  OUT_COLOR = texelFetch(inColor, source, 0);
-#endif
+  WRITE_ID(texelFetch(inId, source, 0).r);
+  WRITE_COLOR(texelFetch(inColor, source, 0));
 }

@@ -86,11 +86,7 @@ void main()
   }
 #else
   OUT_SURFACE = texelFetch(inSurface, source, 0);
-#ifdef HAS_ID
-  OUT_ID = texelFetch(inId, source, 0).r;
-#endif
-#ifdef HAS_COLOR
-  OUT_COLOR = texelFetch(inColor, source, 0);
-#endif
+  WRITE_ID(texelFetch(inId, source, 0).r);
+  WRITE_COLOR(texelFetch(inColor, source, 0));
 #endif
 }

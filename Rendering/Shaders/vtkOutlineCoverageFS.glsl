@@ -23,10 +23,6 @@ void main()
   }
   vec3 normal = surface.w > 0.0 ? normalize(surface.xyz) : vec3(0.0);
   OUT_SURFACE = vec4(isOutline ? covered * normal : normal, surface.w);
-#ifdef HAS_ID
-  OUT_ID = texelFetch(inId, pixel, 0).r;
-#endif
-#ifdef HAS_COLOR
-  OUT_COLOR = texelFetch(inColor, pixel, 0);
-#endif
+  WRITE_ID(texelFetch(inId, pixel, 0).r);
+  WRITE_COLOR(texelFetch(inColor, pixel, 0));
 }

@@ -7,10 +7,6 @@ void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   OUT_SURFACE = texelFetch(inSurface, pixel, 0);
-#ifdef HAS_ID
-  OUT_ID = texelFetch(inId, pixel, 0).r;
-#endif
-#ifdef HAS_COLOR
-  OUT_COLOR = texelFetch(inColor, pixel, 0);
-#endif
+  WRITE_ID(texelFetch(inId, pixel, 0).r);
+  WRITE_COLOR(texelFetch(inColor, pixel, 0));
 }

@@ -46,10 +46,6 @@ void main()
   }
 
   OUT_SURFACE = own;
-#ifdef HAS_ID
-  OUT_ID = texelFetch(inId, pixel, 0).r;
-#endif
-#ifdef HAS_COLOR
-  OUT_COLOR = color;
-#endif
+  WRITE_ID(texelFetch(inId, pixel, 0).r);
+  WRITE_COLOR(color);
 }
