@@ -13,7 +13,7 @@
  * form; in a bracket Newton's method falls back to bisection. FirstRootInClosedForm() is the
  * paper's (Bolla and Narayanan, section 3.1): Blinn's method for cubics, Ferrari's for quartics. It
  * misses roots near others, so the first is what the mapper uses; vtkFirstRoot.glsl is its
- * mirror.
+ * mirror, in plain single precision.
  *
  * All functions take any finite coefficients; none returns NaN.
  */
@@ -105,6 +105,42 @@ Real GetRoundingError(const Polynomial<Degree, Real>& p, Real t)
 }
 
 /**
+ * Evaluate() as if it were done in twice the precision (compensated Horner scheme; P. Langlois, N.
+ * Louvet, How to Ensure a Faithful Polynomial Evaluation, ARITH 2007): tells the sign where
+ * GetRoundingError() hides it.
+ */
+template <int Degree, typename Real>
+Real EvaluateCompensated(const Polynomial<Degree, Real>& p, Real t)
+{
+  Real value = p[Degree];
+  Real error = 0;
+  for (int i = Degree - 1; i >= 0; --i)
+  {
+    const Real product = value * t;
+    const Real productError = std::fma(value, t, -product);
+    value = product + p[i];
+    const Real added = value - product;
+    error = error * t + (productError + ((product - (value - added)) + (p[i] - added)));
+  }
+  return value + error;
+}
+
+/**
+ * The root in [begin, end], over which the polynomial changes its sign by less than rounding.
+ */
+template <int Degree, typename Real>
+Real FaintRootInBracket(const Polynomial<Degree, Real>& p, Real begin, Real end)
+{
+  const bool isNegative = EvaluateCompensated<Degree>(p, begin) < 0;
+  for (int i = 0; i < std::numeric_limits<Real>::digits; ++i)
+  {
+    const Real middle = begin + (end - begin) / 2;
+    ((EvaluateCompensated<Degree>(p, middle) < 0) == isNegative ? begin : end) = middle;
+  }
+  return end;
+}
+
+/**
  * The root in [begin, end], over which the polynomial changes its sign once, by Newton's method
  * with bisection where that leaves the bracket or is slow.
  */
@@ -171,12 +207,20 @@ bool VisitRoots(const Polynomial<Degree, Real>& p, const Visitor& found)
   return VisitMonotoneIntervals<Degree>(p,
     [&](Real begin, Real end)
     {
-      const Real atEnd = Evaluate<Degree>(p, end);
-      const bool crosses = (atBegin < 0 && atEnd > 0) || (atBegin > 0 && atEnd < 0);
+      Real atEnd = Evaluate<Degree>(p, end);
       const bool touches = end < 1 && std::abs(atEnd) <= GetRoundingError<Degree>(p, end);
-      atBegin = touches ? 0 : atEnd;
-      return touches || atEnd == 0 ? found(end)
-                                   : crosses && found(RootInBracket<Degree>(p, begin, end));
+      if (touches)
+      {
+        atEnd = EvaluateCompensated<Degree>(p, end);
+      }
+      const bool crosses = (atBegin < 0 && atEnd > 0) || (atBegin > 0 && atEnd < 0);
+      atBegin = atEnd;
+      if (crosses)
+      {
+        return found(touches ? FaintRootInBracket<Degree>(p, begin, end)
+                             : RootInBracket<Degree>(p, begin, end));
+      }
+      return (touches || atEnd == 0) && found(end);
     });
 }
 
