@@ -4,6 +4,7 @@
 #include "vtkAlgebraicSplatOptions.h"
 #include "vtkAlgebraicSplatTracingCPU.h"
 #include "vtkAlgebraicSplatTracingOpenGL.h"
+#include "vtkContextNeeds.h"
 #include "vtkDrawablePoints.h"
 #include "vtkDrawableSplats.h"
 #include "vtkPointBlocks.h"
@@ -156,6 +157,15 @@ void vtkAlgebraicSplatMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor
 }
 
 //------------------------------------------------------------------------------
+std::string vtkAlgebraicSplatMapper::FindLackOfOpenGL()
+{
+  const std::string lack = this->Superclass::FindLackOfOpenGL();
+  return lack.empty() ? vtkContextNeeds::FindLackOfTextureBuffers(
+                          vtkAlgebraicSplatTracingOpenGL::GetLargestNumberOfTexels(
+                            this->GetBlocks().GetCloud()->GetNumberOfPoints()))
+                      : lack;
+}
+
 void vtkAlgebraicSplatMapper::MakeSurfaceBuffer(
   vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& surface)
 {

@@ -28,9 +28,9 @@ namespace
 /// Texels of a splat before its coefficients.
 constexpr int FrameTexels = 4;
 
-int GetCoefficientTexels(int order)
+int GetTexels(int order)
 {
-  return (vtkAlgebraicSplat::GetNumberOfCoefficients(order) + 3) / 4;
+  return FrameTexels + (vtkAlgebraicSplat::GetNumberOfCoefficients(order) + 3) / 4;
 }
 
 template <size_t Size>
@@ -87,6 +87,11 @@ void vtkAlgebraicSplatTracingOpenGL::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkAlgebraicSplatTracingOpenGL::GetLargestNumberOfTexels(vtkIdType splats)
+{
+  return splats * GetTexels(vtkAlgebraicSplat::MaximumOrder);
+}
+
 size_t vtkAlgebraicSplatTracingOpenGL::Upload(
   vtkOpenGLRenderWindow* window, const vtkDrawableSplats& splats)
 {
@@ -96,7 +101,7 @@ size_t vtkAlgebraicSplatTracingOpenGL::Upload(
   {
     Group& group = this->Groups[order - 1];
     const std::vector<vtkDrawableSplats::Splat>& source = splats.GetSplats(order);
-    group.Stride = FrameTexels + GetCoefficientTexels(order);
+    group.Stride = GetTexels(order);
     group.Texels->ReleaseGraphicsResources(window);
     if (source.empty())
     {

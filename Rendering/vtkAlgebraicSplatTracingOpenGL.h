@@ -42,6 +42,11 @@ public:
   vtkAlgebraicSplatTracingOpenGL();
   ~vtkAlgebraicSplatTracingOpenGL();
 
+  /**
+   * Texels of a buffer for this many splats, were all of the highest order.
+   */
+  static vtkIdType GetLargestNumberOfTexels(vtkIdType splats);
+
   ///@{
   /**
    * Takes the splats; the colours of their points, in a byte for each component or a float. Returns

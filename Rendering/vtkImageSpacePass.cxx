@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkImageSpacePass.h"
 
+#include "vtkContextNeeds.h"
 #include "vtkDepthStep.h"
 #include "vtkEyeFrame.h"
 #include "vtkImageSpaceDepth.h"
@@ -149,6 +150,8 @@ public:
     vtkScreenPass(GetWriteShader(2)) };
   vtkOpenGLRenderTimer Timer;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last frame; cleared when it releases us
+  vtkMTimeType ContextTime = 0;                 // of the context that the next is of
+  std::string Lack;                             // without which nothing can be filtered
 
   std::array<int, 4> Rectangle{};
   vtkNew<vtkMatrix4x4> VCDC; // from the eye to clip coordinates; see vtkEyeFrame
@@ -281,6 +284,13 @@ void vtkImageSpacePass::Render(const vtkRenderState* s)
     window->MakeCurrent();
   }
   internals.Window = window;
+  this->ExamineContext(window);
+  if (!internals.Lack.empty())
+  {
+    this->DelegatePass->Render(s);
+    this->NumberOfRenderedProps += this->DelegatePass->GetNumberOfRenderedProps();
+    return;
+  }
   int size[2];
   int origin[2] = { 0, 0 };
   if (s->GetFrameBuffer())
@@ -342,6 +352,24 @@ void vtkImageSpacePass::Render(const vtkRenderState* s)
   if (outputs == WithNormal)
   {
     ActivateOutputs(1); // see DrawDelegate()
+  }
+}
+
+void vtkImageSpacePass::ExamineContext(vtkOpenGLRenderWindow* window)
+{
+  vtkInternals& internals = *this->Internals;
+  if (internals.ContextTime == window->GetContextCreationTime())
+  {
+    return; // times are unique
+  }
+  internals.ContextTime = window->GetContextCreationTime();
+  internals.Lack = vtkContextNeeds::FindLackOfTargets();
+  if (!internals.Lack.empty())
+  {
+    vtkErrorMacro("This OpenGL context "
+      << internals.Lack << ", which this pass needs; what it was to filter is drawn as it is. "
+      << "Update the graphics driver, or let Mesa's software renderer draw (the environment "
+         "variable LIBGL_ALWAYS_SOFTWARE=1).");
   }
 }
 

@@ -84,6 +84,7 @@ private:
   vtkImageSpacePass(const vtkImageSpacePass&) = delete;
   void operator=(const vtkImageSpacePass&) = delete;
 
+  void ExamineContext(vtkOpenGLRenderWindow* window);
   // `origin` is that of the viewport in the framebuffer that is drawn to.
   void DrawDelegate(const vtkRenderState* s, vtkOpenGLRenderWindow* window, const int origin[2]);
   void ReadImage(vtkOpenGLRenderWindow* window, vtkSurfaceTarget& image);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSurfaceMapper.h"
 
+#include "vtkContextNeeds.h"
 #include "vtkDrawablePoints.h"
 #include "vtkDrawnClouds.h"
 #include "vtkEyeFrame.h"
@@ -116,6 +117,10 @@ public:
   vtkNew<vtkMatrix4x4> ViewToEye;          // of the view that is drawn; see vtkEyeFrame
   vtkOpenGLRenderWindow* Window = nullptr; // of the last frame; cleared when it releases us
   vtkTimeStamp FrameTime;                  // the start of the last one
+  vtkMTimeType ContextTime = 0;            // of the context that the next two are of
+  std::string LackOfTextures;              // without which nothing can be drawn
+  std::string LackOfTargets;               // which the OpenGL back end needs
+  std::string ToldLack;                    // that has been warned of
   vtkMTimeType ColorTableTime = 0;         // of the colour table that was uploaded
   std::map<std::string, vtkKeptArray> StandIns;
   bool TextureAtPoints = false; // the actor's texture is multiplied onto colours of points
@@ -242,7 +247,8 @@ void vtkPointSurfaceMapper::UpdateCameraShiftScale(vtkRenderer* renderer, vtkAct
   // The first virtual function after the window is registered. When a mapper moves from one window
   // to another it releases in the old one's context, and windows without PopContext leave that
   // context current.
-  renderer->GetRenderWindow()->MakeCurrent();
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  window->MakeCurrent();
   if (this->BeginsFrame())
   {
     TakeOpenGLErrors(); // of others
@@ -250,6 +256,7 @@ void vtkPointSurfaceMapper::UpdateCameraShiftScale(vtkRenderer* renderer, vtkAct
     this->LastFrameBytesUploaded = 0;
     this->LastFrameSurfaceBytesUploaded = 0;
   }
+  this->ExamineContext(window);
   this->ChooseBackend();
   this->UpdateDrawablePoints();
   this->CurrentInput = this->Internals->Points.GetCloud();
@@ -284,9 +291,45 @@ void FlushQuery()
 }
 }
 
+void vtkPointSurfaceMapper::ExamineContext(vtkOpenGLRenderWindow* window)
+{
+  vtkInternals& internals = *this->Internals;
+  if (internals.ContextTime == window->GetContextCreationTime())
+  {
+    return; // times are unique
+  }
+  internals.ContextTime = window->GetContextCreationTime();
+  internals.LackOfTextures = vtkContextNeeds::FindLackOfTextures();
+  internals.LackOfTargets = vtkContextNeeds::FindLackOfTargets();
+  if (!internals.LackOfTextures.empty() && internals.LackOfTextures != internals.ToldLack)
+  {
+    internals.ToldLack = internals.LackOfTextures;
+    vtkErrorMacro("This OpenGL context "
+      << internals.LackOfTextures << ", in which a surface waits to be shaded; the cloud is not "
+      << "drawn. Update the graphics driver, or let Mesa's software renderer draw (the environment "
+         "variable LIBGL_ALWAYS_SOFTWARE=1).");
+  }
+}
+
+std::string vtkPointSurfaceMapper::FindLackOfOpenGL()
+{
+  return this->Internals->LackOfTargets;
+}
+
 void vtkPointSurfaceMapper::ChooseBackend()
 {
-  const bool wanted = this->Backend == Automatic ? IsSoftwareRasterizer() : this->Backend == CPU;
+  vtkInternals& internals = *this->Internals;
+  bool wanted = this->Backend == Automatic ? IsSoftwareRasterizer() : this->Backend == CPU;
+  const std::string lack =
+    wanted || !internals.LackOfTextures.empty() ? "" : this->FindLackOfOpenGL();
+  if (!lack.empty() && lack != internals.ToldLack)
+  {
+    internals.ToldLack = lack;
+    vtkWarningMacro("This OpenGL context "
+      << lack << ", which the OpenGL back end needs; the CPU back end takes its place. Update the "
+      << "graphics driver, or choose that back end yourself (SetBackendToCPU).");
+  }
+  wanted = wanted || !lack.empty();
   const int chosen = wanted && this->HasCPUForm() ? CPU : OpenGL;
   if (chosen != this->LastFrameBackend)
   {
@@ -564,10 +607,15 @@ void vtkPointSurfaceMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
     std::fill_n(this->Internals->ClockMilliseconds, static_cast<int>(NumberOfStages), 0.0);
     this->CountBytesUploaded();
   }
+  this->Internals->Current = nullptr;
+  if (!this->Internals->LackOfTextures.empty())
+  {
+    std::fill_n(this->LastFrameRectangle, 4, 0);
+    return;
+  }
   this->TimerQuery->ReusableStart();
   FlushQuery();
 
-  this->Internals->Current = nullptr;
   const std::vector<vtkPointBlockGroup> groups = this->GetBlockGroups(renderer, actor);
   if (groups.size() > 1)
   {

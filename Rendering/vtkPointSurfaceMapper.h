@@ -121,7 +121,9 @@ public:
   /**
    * What makes the surface buffer; see BackendType. Both make the same picture, and shading is
    * VTK's with both. A mapper that has no CPU form uses OpenGL, with a warning where CPU was asked
-   * for. Default Automatic.
+   * for. Where the window's context lacks what OpenGL needs here (targets of floats, large points
+   * or texture buffers) CPU takes its place, with a warning that names it; a context without
+   * textures of floats or integers gets an error, and the cloud is not drawn. Default Automatic.
    */
   vtkSetClampMacro(Backend, int, Automatic, CPU);
   vtkGetMacro(Backend, int);
@@ -276,6 +278,12 @@ protected:
    */
   virtual bool HasJointForm() const { return false; }
 
+  /**
+   * What MakeSurfaceBuffer() needs and the current context lacks, in the words of vtkContextNeeds;
+   * empty where it lacks nothing. Then MakeSurfacePixels() is called in its place, with a warning.
+   */
+  virtual std::string FindLackOfOpenGL();
+
   ///@{
   /**
    * MakeSurfaceBuffer() by the processor, for subclasses that can: makes the pixels of the view's
@@ -398,6 +406,7 @@ private:
   vtkPointSurfaceMapper(const vtkPointSurfaceMapper&) = delete;
   void operator=(const vtkPointSurfaceMapper&) = delete;
 
+  void ExamineContext(vtkOpenGLRenderWindow* window);
   void ChooseBackend();
   // Whether only stand-ins of the points' arrays are uploaded, as ProjectPoints() by OpenGL is not.
   bool UploadsStandIns() const { return this->LastFrameBackend == CPU || !this->UsesProjection(); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPullPushMapper.h"
 
+#include "vtkContextNeeds.h"
 #include "vtkPointProjectionOptions.h"
 #include "vtkPointSurfaceView.h"
 #include "vtkPullPushParameters.h"
@@ -76,6 +77,14 @@ vtkPointProjectionOptions vtkPullPushMapper::GetProjectionOptions() const
   options.CenterDepths = this->PerspectiveDiscs;
   options.AveragePoints = this->AveragePoints;
   return options;
+}
+
+std::string vtkPullPushMapper::FindLackOfOpenGL()
+{
+  const std::string lack = this->Superclass::FindLackOfOpenGL();
+  return lack.empty()
+    ? vtkContextNeeds::FindLackOfPointSize(vtkPullPushReconstructionOpenGL::TileSize)
+    : lack;
 }
 
 void vtkPullPushMapper::MakeSurfaceBuffer(

@@ -133,6 +133,7 @@ protected:
   bool HasJointForm() const override { return true; }
   bool HasCPUForm() const override { return true; }
   double GetRim() const override { return 1.0; } // discs
+  std::string FindLackOfOpenGL() override;
   void MakeSurfacePixels(
     const vtkPointSurfaceView& view, bool ids, bool colors, vtkSurfacePixels& surface) override;
 

@@ -18,8 +18,6 @@
 
 namespace
 {
-constexpr int TileSize = 16; // pixels along a side
-
 void SetBounds(
   vtkShaderProgram* program, const std::string& prefix, const std::array<int, 4>& rectangle)
 {

@@ -29,6 +29,9 @@ struct vtkPullPushParameters;
 class vtkPullPushReconstructionOpenGL
 {
 public:
+  /// Of a tile, which is drawn as a point: pixels along a side.
+  static constexpr int TileSize = 16;
+
   vtkPullPushReconstructionOpenGL();
   ~vtkPullPushReconstructionOpenGL();
 
