@@ -7,11 +7,21 @@
 #include "vtkMath.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
+/// Pixels that are larger than this many of the largest disc's radii would be pushed nowhere, as no
+/// disc reaches from one to the next; or, as unions of discs far apart, to where there is nothing.
+constexpr double LargestPixel = 8.0;
+
+/// In pixels; what is saved below it is too little to count.
+constexpr double LeastSize = 16.0;
+
 std::vector<vtkPullPushParameters::Level> MakeLevels(const vtkPointSurfaceView& view)
 {
+  const double largestSize =
+    std::max(LargestPixel * std::max(view.LargestDisc[0], view.LargestDisc[1]), LeastSize);
   const auto& r = view.Rectangle;
   std::vector<vtkPullPushParameters::Level> levels = { { view.Size[0], view.Size[1],
     { r[0], r[1], r[0] + r[2], r[1] + r[3] } } };
@@ -21,7 +31,8 @@ std::vector<vtkPullPushParameters::Level> MakeLevels(const vtkPointSurfaceView& 
     const auto& f = fine.Rectangle;
     levels.push_back({ (fine.Width + 1) / 2, (fine.Height + 1) / 2,
       { f[0] / 2, f[1] / 2, (f[2] + 1) / 2, (f[3] + 1) / 2 } });
-  } while (std::max(levels.back().Width, levels.back().Height) > 1);
+  } while (std::max(levels.back().Width, levels.back().Height) > 1 &&
+    std::ldexp(1.0, static_cast<int>(levels.size()) - 1) < largestSize);
   return levels;
 }
 }

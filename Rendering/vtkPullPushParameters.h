@@ -26,7 +26,7 @@ struct vtkPullPushParameters
   int GetCoarsestLevel() const { return static_cast<int>(this->Levels.size()) - 1; }
 
   vtkPullPushOptions Options;
-  std::vector<Level> Levels;         ///< 0 is the finest; the last is of one pixel
+  std::vector<Level> Levels;         ///< 0 is the finest; as many as the largest disc needs
   std::array<float, 4> PixelToEye{}; ///< xy: eye units a pixel where w is 1; zw: w = z depth + w
   // See vtkEyeRays, of level 0. What PixelToEye gives is to be sheared too.
   std::array<float, 4> EyeRay{};

@@ -208,6 +208,17 @@ int TestPullPushMapper(int argc, char* argv[])
   check(mapper->GetLastFrameReconstructions() == 1, "the first frame makes one surface buffer");
   check(mapper->GetLastFramePasses() == 2 * mapper->GetLastFrameLevels() + 1,
     "each level takes a pull and a push, and then pixels are filled");
+  const int levels = mapper->GetLastFrameLevels();
+  mapper->SetRadiusScale(4.0);
+  scene.Window->Render();
+  check(mapper->GetLastFrameLevels() == levels + 2, "as many levels as the largest disc needs");
+  mapper->SetRadiusScale(1e3);
+  scene.Window->Render();
+  check(
+    (1 << mapper->GetLastFrameLevels()) >= Size && (1 << (mapper->GetLastFrameLevels() - 1)) < Size,
+    "no more levels than lead to one pixel");
+  mapper->SetRadiusScale(1.0);
+  scene.Window->Render();
   const Errors errors = MeasureSurfaceBuffer(mapper, scene.Renderer->GetActiveCamera());
   check.AtLeast(errors.Silhouette, 0.98, "intersection over union of silhouettes");
   check.AtMost(errors.Depth, 0.0003, "mean depth error, of the diagonal");

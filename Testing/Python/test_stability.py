@@ -185,6 +185,23 @@ def test_two_sheets_closer_than_a_radius(method):
     assert_within(figures(found, truth), 0, 0.11 * radius, 1.0)
 
 
+@pytest.mark.parametrize("method", [name for name in METHODS if name != "algebraic-splats"])  # whose fits span the gap
+def test_points_far_from_a_cloud(method):
+    """Two lone points beside a sphere that is small in the picture are a few pixels each, and nothing grows in between."""
+    size, distance = (256, 256), 30
+    corner = 0.95 * distance * np.tan(np.radians(ANGLE / 2))
+    points = np.vstack([even_directions(COUNT), [[corner, 0, corner], [-corner, 0, -corner]]])
+    cloud = make_cloud(points, points, 1.5 * spacing_on_sphere(COUNT))
+    depth, _ = Picture(method, cloud, size, position=(0, -distance, 0)).read()
+    inside = sphere_truth(size, distance=distance)[0] > 0
+    y, x = (np.mgrid[: size[1], : size[0]] + 0.5) - size[0] / 2
+    far = np.hypot(x, y) > np.hypot(x, y)[inside].max() + 4
+    found = np.count_nonzero(depth[far])
+    print("sphere", np.count_nonzero(depth[inside]), "of", np.count_nonzero(inside), "pixels, far from it", found)
+    assert np.count_nonzero(depth[inside]) > 0.9 * np.count_nonzero(inside)
+    assert found <= 18
+
+
 # Degrees between the view and the plane. vtkDirectPointMapper, whose points have no normals, needs the cells before and
 # behind one to tell a slope from two surfaces: at 3 degrees the first of six rows has none before it.
 GRAZING = {"direct": 4}
