@@ -238,6 +238,9 @@ def test_fit_is_weighted_least_squares():
             c = np.array([float(value) for value in solve(matrix, right)])
             # u has come in single precision
             assert np.allclose(c, array(splats, "SplatCoefficients")[i], atol=2e-6 * max(1, np.abs(c).max()))
+            off = [dot(q, n) - offset - radius * sum(Decimal(k) * x for k, x in zip(c, t)) for q, t in zip(p, terms)]
+            residual = (sum(w * d * d for w, d in zip(weights, off)) / sum(weights)).sqrt()
+            assert float(residual) == pytest.approx(array(splats, "Residual")[i], rel=1e-5)
 
 
 def test_splats_reach_less_far_over_borders():
