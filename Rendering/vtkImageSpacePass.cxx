@@ -16,6 +16,7 @@
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLCamera.h"
+#include "vtkOpenGLFXAAPass.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderTimer.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -128,6 +129,35 @@ void ActivateOutputs(int count)
 {
   const GLenum buffers[3] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2 };
   glDrawBuffers(count, buffers);
+}
+
+/// SetShaderParameters() activates them for those who write them.
+void ClearNormals()
+{
+  const GLfloat zero[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+  ActivateOutputs(2);
+  glClearBufferfv(GL_COLOR, 1, zero);
+  ActivateOutputs(1);
+}
+
+/// Lets what comes draw to the colours of vtkSSAOPass alone: a pass between it and this one, such
+/// as vtkOpenGLFXAAPass, knows nothing of positions and normals and would draw over them. By VTK's
+/// state, so that it knows when mappers ask for all of them; it lets nobody take buffers away but
+/// one by one.
+void KeepPositionsAndNormals(vtkOpenGLState* state)
+{
+  unsigned int none[3] = { GL_NONE, GL_NONE, GL_NONE };
+  unsigned int color[1] = { GL_COLOR_ATTACHMENT0 };
+  state->vtkglDrawBuffers(3, none);
+  state->vtkglDrawBuffers(1, color);
+}
+
+/// Whether a delegate leaves no normals: vtkOpenGLFXAAPass draws over those of the mappers within
+/// it. Those of a pass of this kind are out of its reach, see ActivateOutputs(1).
+bool DrawsOverNormals(vtkRenderPass* delegate)
+{
+  auto* fxaa = vtkOpenGLFXAAPass::SafeDownCast(delegate);
+  return fxaa && !vtkImageSpacePass::SafeDownCast(fxaa->GetDelegatePass());
 }
 }
 
@@ -353,6 +383,10 @@ void vtkImageSpacePass::Render(const vtkRenderState* s)
   {
     ActivateOutputs(1); // see DrawDelegate()
   }
+  if (outputs == WithPositionAndNormal)
+  {
+    KeepPositionsAndNormals(state);
+  }
 }
 
 void vtkImageSpacePass::ExamineContext(vtkOpenGLRenderWindow* window)
@@ -397,12 +431,9 @@ void vtkImageSpacePass::DrawDelegate(
   glBlitFramebuffer(origin[0], origin[1], origin[0] + width, origin[1] + height, 0, 0, width,
     height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, internals.Framebuffer->GetFBOIndex());
-  ActivateOutputs(2);
-  const GLfloat zero[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   const GLfloat farthest = 1.0f;
-  glClearBufferfv(GL_COLOR, 1, zero);
   glClearBufferfv(GL_DEPTH, 0, &farthest);
-  ActivateOutputs(1); // SetShaderParameters() activates normals for those who write them
+  ClearNormals();
 
   state->vtkglViewport(0, 0, width, height);
   state->vtkglEnable(GL_SCISSOR_TEST);
@@ -415,6 +446,10 @@ void vtkImageSpacePass::DrawDelegate(
   {
     const WithoutSSAO withoutSSAO(s);
     this->DelegatePass->Render(&inner);
+  }
+  if (DrawsOverNormals(this->DelegatePass))
+  {
+    ClearNormals();
   }
   this->NumberOfRenderedProps += this->DelegatePass->GetNumberOfRenderedProps();
   state->PopFramebufferBindings();

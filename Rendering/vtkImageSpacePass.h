@@ -13,6 +13,16 @@
  * the delegate they come too, and to a vtkSSAOPass around they go; where none come (from another
  * pass, a volume, vtkPointGaussianMapper), they are taken from the depths.
  *
+ * What VTK's own passes cannot do, whatever they are chained with:
+ * - vtkSSAOPass has no positions and normals, and occludes at random or not at all, with
+ *   vtkEDLShading as its delegate, or with vtkOpenGLFXAAPass over mappers. With a pass of this kind
+ *   between them it has.
+ * - vtkOpenGLFXAAPass works on its viewport's place in the window, also where it draws to another
+ *   pass: in a viewport off the window's origin it is to be the outermost. So does vtkSSAOPass
+ *   before VTK 9.7 where it is the outermost, or has FXAA alone around it: there a pass of this kind
+ *   has to be around it.
+ * - vtkEDLShading knows perspective alone.
+ *
  * A distance between layers of surface is along the view direction in world units; 0, the default
  * of every pass, is ten times the width of a pixel at the depth where it is, whatever the scale and
  * the camera are.

@@ -10,6 +10,15 @@ float toDistance(float depth)
   return (VCDC[3][2] - ndc * VCDC[3][3]) / (VCDC[2][2] - ndc * VCDC[2][3]);
 }
 
+// The same, and 0 for the background: where nothing has been drawn, and what a pass that interpolates
+// depths (vtkEDLShading) has mixed of it with a trace of the surface beside it.
+float toSurfaceDistance(float depth)
+{
+  float distance = toDistance(depth);
+  bool isBackground = depth >= 1.0 || (depth > 1.0 - 1e-5 && distance > 0.99 * toDistance(1.0));
+  return isBackground ? 0.0 : distance;
+}
+
 float toWindowDepth(float distance)
 {
   float w = VCDC[3][3] - VCDC[2][3] * distance;

@@ -6,8 +6,8 @@ uniform sampler2D depths;  // window depths, 1 where nothing has been drawn
 
 float getDistance(ivec2 pixel)
 {
-  float depth = texelFetch(depths, clamp(pixel, ivec2(0), textureSize(depths, 0) - 1), 0).r;
-  return depth < 1.0 ? toDistance(depth) : 0.0;
+  return toSurfaceDistance(
+    texelFetch(depths, clamp(pixel, ivec2(0), textureSize(depths, 0) - 1), 0).r);
 }
 
 vec3 getPosition(ivec2 pixel, float distance)

@@ -11,7 +11,7 @@ void main()
   ivec2 pixel = ivec2(gl_FragCoord.xy) - origin;
   vec4 surface = texelFetch(inSurface, pixel, 0);
   float depth = texelFetch(depths, pixel, 0).r;
-  float before = depth < 1.0 ? toDistance(depth) : 0.0;
+  float before = toSurfaceDistance(depth);
   gl_FragData[0] = texelFetch(inColor, pixel, 0);
 #if OUTPUTS == 1
   gl_FragData[1] = vec4(surface.xyz, surface.w > 0.0 ? 1.0 : 0.0);
