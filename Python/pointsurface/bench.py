@@ -13,6 +13,7 @@ import json
 import os
 import subprocess
 import sys
+import tempfile
 import time
 from dataclasses import dataclass
 from statistics import median
@@ -52,7 +53,9 @@ BACKGROUND = 0.2
 OURS = [name for name in METHODS if name != "algebraic-splats"]  # whose fit is no matter of a frame
 TWICE = "2x"  # after a method: with supersampling
 GAUSSIAN, POINTS, MESH = "vtkPointGaussianMapper", "points of OpenGL", "mesh"
-PEERS = (GAUSSIAN, POINTS)
+OPEN3D = "Open3D"  # where it is installed and finds a graphics driver
+PEERS = (GAUSSIAN, POINTS, *([OPEN3D] if importlib.util.find_spec("open3d") else []))
+POINT_SIZE = 2  # pixels, of what is drawn as points
 # The yardstick for errors, slow and plain: where Testing/Reference/ewa_splats.py can be imported.
 EWA = "EWA splats"
 YARDSTICKS = [EWA] if importlib.util.find_spec("ewa_splats") else []
@@ -238,11 +241,13 @@ class Stage:
         """Milliseconds of a frame, of the clock and of all threads, and the measures of its picture."""
         if name == EWA:
             return self._measure_ewa_splats(truth)
+        if name == OPEN3D:
+            return self._measure_open3d(truth)
         mapper, unlit = self.make_mapper(name)
         self.actor.SetMapper(mapper)
         self.actor.SetProperty(vtkProperty())
         self.actor.GetProperty().SetLighting(not unlit)
-        self.actor.GetProperty().SetPointSize(2)
+        self.actor.GetProperty().SetPointSize(POINT_SIZE)
         window = window_without_screen(self.renderer, self.size)
         image = SurfaceImage(read_color(window), self._normals(mapper), self._depth(window))
         result = compare(image, truth, self.mesh.GetLength())
@@ -275,6 +280,43 @@ class Stage:
         grey = np.where(depth > 0, np.abs(normals[..., 2]), BACKGROUND)  # by the headlight
         image = SurfaceImage(np.repeat(grey[..., None], 3, axis=-1), normals, depth)
         return {**compare(image, truth, self.mesh.GetLength()), "milliseconds": None, "processor_milliseconds": None}
+
+    def _measure_open3d(self, truth):
+        """By a process of its own; None, and a line that says why, where Open3D cannot draw."""
+        camera = self.renderer.GetActiveCamera()
+        eyes = []
+        for _ in range(WARM_UP + FRAMES):
+            eyes.append(camera.GetPosition())
+            camera.Azimuth(1)
+        camera.Azimuth(-len(eyes))
+        lit = self._lit_cloud()
+        with tempfile.TemporaryDirectory() as folder:
+            paths = [os.path.join(folder, name) for name in ("scene.npz", "result.npz")]
+            np.savez(
+                paths[0],
+                points=vtk_to_numpy(lit.GetPoints().GetData()).astype(float),
+                colors=vtk_to_numpy(lit.GetPointData().GetScalars()) / 255,
+                point_size=POINT_SIZE,
+                size=self.size,
+                background=BACKGROUND,
+                center=camera.GetFocalPoint(),
+                up=camera.GetViewUp(),
+                eyes=eyes,
+                angle=camera.GetViewAngle(),
+                range=camera.GetClippingRange(),
+                warm_up=WARM_UP,
+            )
+            program = os.path.join(os.path.dirname(os.path.abspath(__file__)), "open3d_peer.py")
+            run = subprocess.run([sys.executable, program, *paths], capture_output=True, text=True)
+            if run.returncode:
+                reason = run.stderr.strip().splitlines() or ["it says no reason"]
+                announce(f"{OPEN3D} is left out, it cannot draw here: {reason[-1]}")
+                return None
+            result = dict(np.load(paths[1]))
+        image = SurfaceImage(result["color"], np.zeros_like(result["color"]), result["depth"].astype(float))
+        measures = compare(image, truth, self.mesh.GetLength())
+        measures["normal_mean"] = measures["normal_95"] = None
+        return {**measures, **{name: float(result[name]) for name in ("milliseconds", "processor_milliseconds")}}
 
     def _normals(self, mapper):
         if not hasattr(mapper, "ReadSurfaceBuffer"):
@@ -381,7 +423,8 @@ def exceptions(results):
     return [
         peer
         for peer in PEERS
-        if not any(
+        if peer in results
+        and not any(
             results[ours]["milliseconds"] <= results[peer]["milliseconds"] and results[ours]["psnr"] >= results[peer]["psnr"]
             for ours in results
             if ours not in (*PEERS, EWA, MESH)
@@ -416,7 +459,7 @@ def _write_series(folder, measured, what, key, measure):
         return
     heading = {"milliseconds": "milliseconds a frame", "psnr": "PSNR, dB"}[measure]
     label = "points a pixel" if what == "density" else what
-    drawn = [name for name in RENDERERS if name != EWA]
+    drawn = [name for name in RENDERERS if name != EWA and all(name in results for results in group.values())]
     series = {name: sorted((x, results[name][measure]) for x, results in group.items()) for name in drawn}
     path = os.path.join(folder, f"over-{what}.png")
     charts.write_scatter(path, scene, label, heading, series, logarithmic=measure == "milliseconds")
@@ -441,11 +484,13 @@ def _markdown(measured):
         f"By `python3 -m pointsurface bench`, on {renderer}. Milliseconds: the median of {FRAMES} frames, camera moving, of",
         "the clock and of all threads. Points are sampled uniformly by area, at random, with exact normals and a radius of",
         f"{RADIUS} times the mean spacing; vtkPointGaussianMapper draws opaque discs of 0.7 of it, triangle scale 1, points",
-        "of OpenGL are 2 pixels large; both draw colours of points that were lit one by one. Truth: the mesh, 16 samples a",
+        f"of OpenGL are {POINT_SIZE} pixels large; both draw colours of points that were lit one by one. Truth: the mesh, 16 samples a",
         "pixel. A star stands at what none but the mesh beats in both time and PSNR.",
     ]
     if YARDSTICKS:
         lines += [f"{EWA} are the two-pass splatter of Testing/Reference, which is the yardstick of errors, not of time."]
+    if any(OPEN3D in results for _, results in measured):
+        lines += [f"{OPEN3D}'s offscreen renderer draws such points too, each frame with its reading back."]
     failing = []
     for case, results in measured:
         front = pareto(results)

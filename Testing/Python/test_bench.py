@@ -47,7 +47,7 @@ def test_exceptions_are_peers_that_none_of_ours_is_as_fast_as_and_as_good():
 
 def test_measurement_of_a_sphere():
     measured = bench.measure_case(bench.Case("sphere", 20_000, 128))
-    assert list(measured) == bench.RENDERERS
+    assert list(measured) == [name for name in bench.RENDERERS if name != bench.OPEN3D or name in measured]
     for name, figures in measured.items():
         print(name, figures)
         assert name == bench.EWA or figures["milliseconds"] > 0
@@ -58,6 +58,31 @@ def test_measurement_of_a_sphere():
     # the mesh is the truth but for what supersampling does at its outline; the peers are rough
     assert measured[bench.MESH]["depth"] < 1e-4
     assert measured[bench.MESH]["psnr"] > max(measured[peer]["psnr"] for peer in bench.PEERS) + 5
+
+
+def test_open3d_where_it_is_there():
+    """Its picture is that of points of VTK, whose size is the same."""
+    if bench.OPEN3D not in bench.PEERS:
+        pytest.skip("Open3D is not installed")
+    stage = bench.Stage(bench.Case("sphere", 20_000, 128))
+    truth = stage.truth()
+    figures = stage.measure(bench.OPEN3D, truth)
+    if figures is None:
+        pytest.skip("Open3D finds no graphics driver")
+    points = stage.measure(bench.POINTS, truth)
+    print(figures, points)
+    assert figures["milliseconds"] > 0 and figures["processor_milliseconds"] > 0 and figures["normal_mean"] is None
+    assert abs(figures["psnr"] - points["psnr"]) < 3 and abs(figures["iou"] - points["iou"]) < 0.02
+    assert figures["depth"] < 2 * points["depth"]
+
+
+def test_open3d_that_cannot_draw_is_left_out(tmp_path, monkeypatch, capsys):
+    (tmp_path / "open3d.py").write_text("raise RuntimeError('no driver')")
+    monkeypatch.setenv("PYTHONPATH", f"{tmp_path}{os.pathsep}{os.environ.get('PYTHONPATH', '')}")
+    stage = bench.Stage(bench.Case("sphere", 100, 32))
+    assert stage.measure(bench.OPEN3D, None) is None
+    said = capsys.readouterr().err
+    assert "Open3D is left out" in said and "no driver" in said
 
 
 @pytest.mark.parametrize("scene", bench.SCENES)
