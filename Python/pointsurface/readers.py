@@ -11,15 +11,11 @@ from contextlib import nullcontext
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkImageData, vtkPointSet, vtkPolyData, vtkRectilinearGrid
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
-from vtkmodules.vtkIOGeometry import vtkGLTFReader, vtkOBJReader, vtkSTLReader
-from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkMRCReader, vtkNIFTIImageReader, vtkNrrdReader, vtkTIFFReader
-from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader
-from vtkmodules.vtkIOPLY import vtkPLYReader
-from vtkmodules.vtkIOXML import vtkXMLGenericDataObjectReader, vtkXMLImageDataReader, vtkXMLPolyDataReader
 
-from . import scans
+from . import formats, scans
 from .clouds import make_cloud
 from .errors import UnreadableFile, complaints
 from .progress import followed
@@ -28,12 +24,10 @@ from .progress import followed
 def read(path, tell=False):
     """The content of a file: vtkImageData for a volume, vtkPolyData for points or a mesh.
 
-    By extension (upper case, too):
-    volumes, with one component of active scalars: vti, pvti, vtr (evenly spaced), mhd, mha, nhdr, nrrd, nii, nii.gz, mrc,
-    tif, tiff (a picture a slice);
-    points, with normals, colours and polygons if the file has them: vtp, pvtp, ply, obj, stl, gltf, glb; of grids their
-    points: vtu, pvtu, vts, pvts; of trees all blocks' points as one cloud, with the arrays that all have: vtm, vtmb;
-    one or the other: vtk;
+    By extension (upper case, too), as the module formats tells, with what VTK has a reader for: volumes, with one component
+    of active scalars, evenly spaced; a tif has a slice a picture, and a folder of dcm files is a volume of slices; points,
+    with normals, colours and polygons if the file has them; of grids their points; of trees all blocks' points as one
+    cloud, with the arrays that all have.
     las, laz, e57: as the module scans tells; pcd, where PointSurface was built with PCL: as vtkPCDReader tells;
     xyz (text, one point a line: x y z, or x y z nx ny nz, or x y z r g b with colours of 0 to 255; blanks or commas
     between the numbers; comments start with # or //); pts (text; behind a line with their number, one point a line:
@@ -42,8 +36,8 @@ def read(path, tell=False):
     tell: show on standard error how far VTK is, where that takes over a second, and let Ctrl-C stop it.
     Raises UnreadableFile for a file that is missing, broken, empty or of an unknown format.
     """
-    if os.path.isdir(path):
-        raise UnreadableFile(f"{path} is a folder; a file is needed")
+    if os.path.isdir(path) and not _is_dicom(path):
+        raise UnreadableFile(f"{path} is a folder without slices (.dcm); a file, or a folder of such, is needed")
     if not os.path.exists(path):
         raise UnreadableFile(f"{path} does not exist")
     if not os.access(path, os.R_OK):
@@ -63,43 +57,15 @@ def read(path, tell=False):
     return data
 
 
-def _pcd_reader():
-    from .vtkPointSurfacePCL import vtkPCDReader  # here, as PCL takes half a second to load
-
-    return vtkPCDReader()
-
-
-_READERS = {
-    "vti": vtkXMLImageDataReader,
-    "mhd": vtkMetaImageReader,
-    "mha": vtkMetaImageReader,
-    "nhdr": vtkNrrdReader,
-    "nrrd": vtkNrrdReader,
-    "nii": vtkNIFTIImageReader,
-    "nii.gz": vtkNIFTIImageReader,
-    "mrc": vtkMRCReader,
-    "tif": vtkTIFFReader,
-    "tiff": vtkTIFFReader,
-    "vtp": vtkXMLPolyDataReader,
-    "ply": vtkPLYReader,
-    "obj": vtkOBJReader,
-    "stl": vtkSTLReader,
-    "gltf": vtkGLTFReader,
-    "glb": vtkGLTFReader,
-    "vtk": vtkGenericDataObjectReader,
-    "pcd": _pcd_reader,
-    **dict.fromkeys(
-        ("vtr", "vtu", "vts", "vtm", "vtmb", "pvti", "pvtp", "pvtu", "pvts"), vtkXMLGenericDataObjectReader
-    ),
-}  # fmt: skip
-
-# On a file cut short these readers crash (PLY, TIFF), or print a line and go on with a part of the data.
-_NEED_TRIAL = ("ply", "mhd", "mha", "tif", "tiff", "vtk")
+def _is_dicom(folder):
+    return any(name.lower().endswith(".dcm") for name in os.listdir(folder))
 
 
 def _extension(path):
+    if os.path.isdir(path):
+        return "dcm"
     name = os.path.basename(path).lower()
-    known = (*_READERS, *_TEXTS, *scans.READERS)
+    known = (*formats.FORMATS, "pcd", *_TEXTS, *scans.READERS)
     for extension in known:
         if name.endswith("." + extension):
             return extension
@@ -109,37 +75,49 @@ def _extension(path):
 def _read_with_vtk(path, extension, tell):
     if extension in _CHECKS:
         _CHECKS[extension](path)
-    if extension in _NEED_TRIAL:
-        _try_reader(_READERS[extension], path)
-    return _run_reader(_READERS[extension](), path, tell)
-
-
-def _run_reader(reader, path, tell):
-    """The reader's output; whatever VTK has to complain about, from any object below it, raises UnreadableFile."""
-    with complaints() as said, followed(reader, f"reading {path}") if tell else nullcontext():
-        reader.SetFileName(path)
-        reader.Update()
+    form = formats.FORMATS.get(extension)
+    if form:
+        _require_reader(form, path)
+    if form and form.is_tried:
+        _try(form, extension, path)
+    with complaints() as said:
+        reader = formats.make_reader(form, path) if form else _pcd_reader(path)
+        with followed(reader, f"reading {path}") if tell else nullcontext():
+            reader.Update()
     errors = said("ERROR")
     if errors:
         raise UnreadableFile(f"{path} cannot be read: {reader.GetClassName()} says: {errors[0]}")
     return reader.GetOutputDataObject(0)
 
 
-def _try_reader(reader_class, path):
-    """Reads the file in a process of its own; a crash, or anything printed, raises UnreadableFile."""
-    code = f"""
-import sys
-from {reader_class.__module__} import {reader_class.__name__}
-reader = {reader_class.__name__}()
-reader.SetFileName(sys.argv[1])
-reader.Update()
-"""
-    trial = subprocess.run([sys.executable, "-c", code, path], capture_output=True, text=True, errors="replace")
+def _require_reader(form, path):
+    try:
+        formats.reader_class(form)
+    except (ImportError, AttributeError):
+        raise UnreadableFile(
+            f"{path} needs {form.reader} in VTK's module {form.module}, which this VTK ({vtkVersion.GetVTKVersion()}) does "
+            "not have; that of the Python index may: pip install vtk"
+        ) from None
+
+
+# A trial that goes on for longer has lost its way: this, and so much more for each megabyte.
+_TRIAL_SECONDS = 30.0
+_TRIAL_SECONDS_PER_MEGABYTE = 2.0
+
+
+def _try(form, extension, path):
+    """Reads the file in a process of its own; a crash, anything printed, or no end raises UnreadableFile."""
+    command = [sys.executable, formats.__file__, extension, path]
+    limit = _TRIAL_SECONDS + _TRIAL_SECONDS_PER_MEGABYTE * os.path.getsize(path) / 1e6
+    try:
+        trial = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=limit)
+    except subprocess.TimeoutExpired:
+        raise UnreadableFile(f"{path} cannot be read: {form.reader} does not come to an end in {limit:.0f} s") from None
     if trial.returncode != 0 or trial.stderr.strip():
         said = re.sub(r"\x1b\[\d*m", "", trial.stderr)  # colours
         said = re.sub(r"^(?:.*\| )?(?:\w+ \(0x\w+\): )?", "", said, flags=re.M)  # time, place, object
         reason = next((line.strip() for line in said.splitlines() if line.strip()), "nothing, and crashes")
-        raise UnreadableFile(f"{path} cannot be read: {reader_class.__name__} says: {reason}")
+        raise UnreadableFile(f"{path} cannot be read: {form.reader} says: {reason}")
 
 
 def _check_stl(path):
@@ -215,6 +193,14 @@ def _check_mrc(path):
         raise UnreadableFile(f"{path} is cut short: its header asks for {needed} bytes, not {os.path.getsize(path)}")
 
 
+def _pcd_reader(path):
+    from .vtkPointSurfacePCL import vtkPCDReader  # here, as PCL takes half a second to load
+
+    reader = vtkPCDReader()
+    reader.SetFileName(path)
+    return reader
+
+
 def _check_pcd(path):
     if importlib.util.find_spec(f"{__package__}.vtkPointSurfacePCL") is None:
         raise UnreadableFile(
@@ -222,8 +208,88 @@ def _check_pcd(path):
         )
 
 
+_NETCDF_SIZES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 4, 6: 8}  # bytes of a value, by kind
+
+
+def _check_netcdf(path):
+    """Values that a file in the classic format lacks are taken for zeros. (Others are HDF5, which notices.)"""
+    with open(path, "rb") as file:
+        version = {b"CDF\x01": 4, b"CDF\x02": 8}.get(file.read(4))
+        if version is None:
+            return
+        try:
+            needed = _netcdf_bytes(file, offset_bytes=version)
+        except (EOFError, KeyError) as error:
+            raise UnreadableFile(f"{path} is cut short, or no NetCDF: its header makes no sense") from error
+    if os.path.getsize(path) < needed:
+        raise UnreadableFile(f"{path} is cut short: its header asks for {needed} bytes, not {os.path.getsize(path)}")
+
+
+def _netcdf_bytes(file, offset_bytes):
+    """Of a file behind its first four bytes: how many the header and all variables but those of many records take."""
+
+    def take(count):
+        content = file.read(count + -count % 4)
+        if len(content) < count + -count % 4:
+            raise EOFError
+        return content[:count]
+
+    def number(size=4):
+        return int.from_bytes(take(size), "big")
+
+    def count_of_list():
+        number()  # which says what the list is of
+        return number()
+
+    def skip_attributes():
+        for _ in range(count_of_list()):
+            take(number())
+            size = _NETCDF_SIZES[number()]
+            take(number() * size)
+
+    records = number()
+    lengths = []
+    for _ in range(count_of_list()):
+        take(number())
+        lengths.append(number())
+    skip_attributes()
+    needed = 0
+    for _ in range(count_of_list()):
+        take(number())
+        dimensions = [lengths[number()] for _ in range(number())]
+        skip_attributes()
+        size = _NETCDF_SIZES[number()]
+        number()  # bytes, which overflow for large variables
+        begin = number(offset_bytes)
+        is_record = dimensions[:1] == [0]  # one after the other with those of the other variables
+        for length in dimensions[1:] if is_record else dimensions:
+            size *= length
+        needed = max(needed, begin + size if not is_record or records else 0)
+    return needed
+
+
+def _check_tag(path):
+    """VTK takes the points that are there."""
+    with open(path, "rb") as file:
+        if not file.read().rstrip().endswith(b";"):
+            raise UnreadableFile(f"{path} is no tag file, or cut short: it does not end with a semicolon")
+
+
+def _check_dcm(path):
+    if not os.path.isdir(path):
+        raise UnreadableFile(f"{path} is a slice of a volume; give the folder that has all of them")
+
+
 # What VTK's readers do not notice.
-_CHECKS = {"stl": _check_stl, "ply": _check_ply, "mrc": _check_mrc, "pcd": _check_pcd}
+_CHECKS = {
+    "dcm": _check_dcm,
+    "mrc": _check_mrc,
+    "pcd": _check_pcd,
+    "ply": _check_ply,
+    "stl": _check_stl,
+    "tag": _check_tag,
+    **dict.fromkeys(("e", "ex2", "exii", "exo", "mnc", "nc", "ncdf"), _check_netcdf),
+}
 
 
 def _points_or_volume(path, data):

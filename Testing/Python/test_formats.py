@@ -1,0 +1,421 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A small file of each format that VTK alone reads, made by VTK's writers or by hand: four points, or a volume.
+
+The formats that most people use are in test_readers.py, with more cases.
+"""
+
+import base64
+import json
+import struct
+import zlib
+
+import numpy as np
+import pytest
+from test_readers import check_fault, ramp, tetrahedron
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import (
+    VTK_TETRA,
+    vtkCellArray,
+    vtkPartitionedDataSet,
+    vtkPartitionedDataSetCollection,
+    vtkPolyData,
+)
+from vtkmodules.vtkIOExodus import vtkExodusIIWriter
+from vtkmodules.vtkIOGeometry import vtkBYUWriter
+from vtkmodules.vtkIOMINC import vtkMINCImageWriter, vtkMNITagPointWriter
+from vtkmodules.vtkIOParallelXML import vtkXMLPartitionedDataSetCollectionWriter, vtkXMLPartitionedDataSetWriter
+
+from pointsurface.formats import FORMATS
+from pointsurface.readers import read
+
+CORNERS = np.eye(4)[:, :3]  # of the tetrahedron, which has "height", 0 to 3, at them
+FACES = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]
+VALUES = np.arange(72).reshape(2, 3, 12)  # of the ramp, by z, y, x
+BOX = np.stack(np.meshgrid([0, 1], [0, 2], [0, 3], indexing="ij")[::-1])  # corners of a box: x 0 and 3, y 0 and 2, z 0 and 1
+
+
+def rows(pattern, values=CORNERS, first=1):
+    return "".join(pattern.format(i, *row) for i, row in enumerate(values, first))
+
+
+def cell():
+    grid = tetrahedron()
+    grid.InsertNextCell(VTK_TETRA, 4, (0, 1, 2, 3))
+    return grid
+
+
+def triangles():
+    mesh, polygons = vtkPolyData(), vtkCellArray()
+    mesh.SetPoints(cell().GetPoints())
+    for face in FACES:
+        polygons.InsertNextCell(3, face)
+    mesh.SetPolys(polygons)
+    return mesh
+
+
+def write(path, writer, data):
+    writer.SetInputData(data)
+    writer.SetFileName(str(path))
+    writer.Write()
+
+
+# Volumes.
+
+
+def write_dicom(path):
+    """Two slices, the upper one first, in a folder of their own."""
+
+    def element(group, number, kind, value):
+        value = value.encode() if isinstance(value, str) else value
+        value += (b"\0" if kind == "UI" else b" ") * (len(value) % 2)
+        length = struct.pack("<HI", 0, len(value)) if kind == "OW" else struct.pack("<H", len(value))
+        return struct.pack("<HH2s", group, number, kind.encode()) + length + value
+
+    path.mkdir()
+    for k in range(2):
+        meta = element(2, 0x10, "UI", "1.2.840.10008.1.2.1")
+        parts = [
+            (8, 0x18, "UI", f"1.2.3.{k}"),
+            (0x18, 0x50, "DS", "3"),
+            (0x20, 0xE, "UI", "1.2.4"),
+            (0x20, 0x13, "IS", str(k + 1)),
+            (0x20, 0x32, "DS", f"0\\0\\{3 * k}"),
+            (0x20, 0x37, "DS", "1\\0\\0\\0\\1\\0"),
+            (0x28, 2, "US", struct.pack("<H", 1)),
+            (0x28, 4, "CS", "MONOCHROME2"),
+            (0x28, 0x10, "US", struct.pack("<H", 3)),
+            (0x28, 0x11, "US", struct.pack("<H", 12)),
+            (0x28, 0x30, "DS", "2\\2"),
+            (0x28, 0x100, "US", struct.pack("<H", 16)),
+            (0x28, 0x101, "US", struct.pack("<H", 16)),
+            (0x28, 0x102, "US", struct.pack("<H", 15)),
+            (0x28, 0x103, "US", struct.pack("<H", 0)),
+            (0x7FE0, 0x10, "OW", VALUES[k].astype("<u2").tobytes()),
+        ]
+        head = b"\0" * 128 + b"DICM" + element(2, 0, "UL", struct.pack("<I", len(meta))) + meta
+        (path / f"{2 - k}.dcm").write_bytes(head + b"".join(element(*part) for part in parts))
+
+
+def write_netcdf(path):
+    """The classic format: dimensions, no attributes, four variables, their values."""
+    variables = [
+        ("z", (0,), 6, np.array([0, 3], ">f8")),
+        ("y", (1,), 6, np.array([0, 2, 4], ">f8")),
+        ("x", (2,), 6, np.arange(12, dtype=">f8")),
+        ("values", (0, 1, 2), 5, VALUES.astype(">f4")),
+    ]
+
+    def named(name):
+        return struct.pack(">i", len(name)) + name.encode() + b"\0" * (-len(name) % 4)
+
+    def header(offset):
+        text = b"CDF\x01" + struct.pack(">3i", 0, 10, 3)
+        text += b"".join(named(name) + struct.pack(">i", size) for name, size in zip("zyx", (2, 3, 12)))
+        text += struct.pack(">4i", 0, 0, 11, len(variables))
+        for name, dimensions, kind, values in variables:
+            text += named(name) + struct.pack(f">{len(dimensions) + 1}i", len(dimensions), *dimensions)
+            text += struct.pack(">5i", 0, 0, kind, values.nbytes, offset)
+            offset += values.nbytes
+        return text
+
+    path.write_bytes(header(len(header(0))) + b"".join(values.tobytes() for *_, values in variables))
+
+
+def write_slc(path):
+    head = b"11111\n12 3 2 8\n1 2 3\n1 0 0 0\n1 1 X\0\0\0"  # with an icon of one pixel
+    path.write_bytes(head + VALUES.astype(np.uint8).tobytes())
+
+
+# An image in VTKHDF, version 1.0, which VTK 9.1 cannot write.
+VTKHDF = """
+eNrtWMtu00AUPePUqZM4bUqBQnmlPMv7Fd6PpJCUICRakahkiRVZqaWQRElA8Adl1yVLliz5BJZ8Rj+BZXdhbN9p7GnToIDogjlejK59Z+5o7vE91/5UzC
+8m47NxuDAMjCGFIHqE3KGwLZ6/oZHRuEbjV03cZ94zmo4pWl/2K78qFFzvngQRZ0P3RwMK/yOKhYVld6yQLVj6Qwv7rZRfcEb3+Vj8w7iMMy7I3xRFnh/3
+7dZv8rdiKv4q/vb5K/i0pof9lptOo5u3upZUV3Mjxi29XMozj8U+0pHwukWyV3WVo90gdEs+L5MqjHvCJs/qit3uOM0GUoZ41/3MMeafuChXmpRfARPX6L
+7O5xsof2zZrj3NHWMB/+dvrZod4ImJFs0zvX28Xm3W7cKHrt3o+nVrwH6iND8q7SMh2dq2uijiVsgex34ed6nt1JwGP690diteJoFMT/CO4pK5NQ5Cf33D
+W7/UsqpOozbi+j+z4dfJyJlYp/Xj3vp5p21Xu24GKe9D4sTIL7ZznAEY/pzxne+kO5szYV0bpjvfJpTuKN3Z3jfBDPu9t+rv7M7f65tk3fkcC9eN72RvJF
+SOdu8/df/MmLDv+mMkrCcRKa2D7kc4AxjpgRZghE59rqZpzK8XfuWJsM1Jf+a6tLPWnpyHzKsvScWRUZmlcTaM8cxHuXYbXMHiXPVNJDGBSc6KKezDNNfE
+AziIGc6Gw5jFERzFMRzHCaQxh5M4hdM4g7M4h3mcxwVcxCVcxhVc5V3MddzATWRwC7dxh7P2Hu7jAR7iER4jy9V0AU/wFHkUsIhnKh0KCgoKCgr/8H+G3I
+ebXMnF97Z7lapW3Wp3vP8P0UD/Lr4XfgEjmp41
+"""
+
+VOLUMES = {
+    "dicom": write_dicom,
+    "mnc": lambda path: write(path, vtkMINCImageWriter(), ramp()),
+    "nc": write_netcdf,
+    "slc": write_slc,
+    "vtkhdf": lambda path: path.write_bytes(zlib.decompress(base64.b64decode(VTKHDF))),
+}
+
+
+@pytest.mark.parametrize("extension", VOLUMES)
+def test_volumes(tmp_path, extension):
+    path = tmp_path / f"ramp.{extension}"
+    VOLUMES[extension](path)
+    volume = read(str(path))
+    assert volume.IsA("vtkImageData") and volume.GetDimensions() == (12, 3, 2)
+    values = vtk_to_numpy(volume.GetPointData().GetScalars()).astype(int).reshape(2, 3, 12)
+    if extension == "dicom":  # VTK turns a slice's rows upside down, and orders slices from the feet to the head
+        assert volume.GetSpacing() == pytest.approx((2, 2, 3))
+        assert np.array_equal(np.sort(values.ravel()), VALUES.ravel())
+        assert np.all(np.diff(values, axis=2) == 1) and np.all(np.abs(np.diff(values, axis=1)) == 12)
+    else:
+        assert volume.GetSpacing() == pytest.approx((1, 2, 3))
+        assert np.array_equal(values, VALUES)
+
+
+def test_slice_and_folder_without_slices(tmp_path):
+    write_dicom(tmp_path / "slices")
+    check_fault(tmp_path / "slices" / "1.dcm", "a slice of a volume", "the folder")
+    check_fault(tmp_path, "is a folder without slices (.dcm)")
+
+
+# Points.
+
+
+def write_byu(path):
+    writer = vtkBYUWriter()
+    writer.SetGeometryFileName(str(path))
+    writer.SetInputData(triangles())
+    writer.Write()
+
+
+def write_fluent(path):
+    faces = "".join("{:x} {:x} {:x} 1 0\n".format(*(i + 1 for i in face)) for face in FACES)
+    path.write_text(
+        '(0 "four")\n(2 3)\n(10 (0 1 4 0 3))\n(12 (0 1 1 0))\n(13 (0 1 4 0))\n'
+        f"(10 (1 1 4 1 3)(\n{rows('{1} {2} {3}' + chr(10))}))\n(12 (2 1 1 1 2))\n(13 (3 1 4 3 3)(\n{faces}))\n"
+        "(45 (2 fluid fluid)())\n(45 (3 wall wall)())\n"
+    )
+    path.with_suffix(".dat").write_text('(0 "four")\n')
+
+
+def write_ensight(path):
+    """By hand: what VTK's writer has written is not all there before its process ends."""
+    geometry, heights = path.with_suffix(".geo"), path.with_suffix(".scl")
+    part = f"part\n{1:10d}\n"
+    path.write_text(
+        f"FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: {geometry.name}\n"
+        f"VARIABLE\nscalar per node: height {heights.name}\n"
+    )
+    coordinates = "".join(f"{x:12.5e}\n" for x in CORNERS.T.ravel())
+    geometry.write_text(
+        f"four\npoints\nnode id off\nelement id off\n{part}cell\ncoordinates\n{4:10d}\n{coordinates}tetra4\n{1:10d}\n"
+        f"{1:10d}{2:10d}{3:10d}{4:10d}\n"
+    )
+    heights.write_text(f"height\n{part}coordinates\n" + "".join(f"{i:12.5e}\n" for i in range(4)))
+
+
+def write_foam(path):
+    """A folder of files, beside an empty one of the name that is read."""
+
+    def write_part(name, kind, body):
+        part = path.parent / name
+        part.parent.mkdir(parents=True, exist_ok=True)
+        part.write_text(f"FoamFile\n{{\nversion 2.0;\nformat ascii;\nclass {kind};\nobject {part.name};\n}}\n{body}\n")
+
+    write_part("system/controlDict", "dictionary", "startTime 0;\nendTime 0;\ndeltaT 1;\nwriteInterval 1;\n")
+    mesh = "constant/polyMesh"
+    write_part(f"{mesh}/points", "vectorField", "4\n(\n" + rows("({1} {2} {3})\n") + ")")
+    write_part(f"{mesh}/faces", "faceList", "4\n(\n" + rows("3({1} {2} {3})\n", FACES) + ")")
+    write_part(f"{mesh}/owner", "labelList", "4\n(\n0\n0\n0\n0\n)")
+    write_part(f"{mesh}/neighbour", "labelList", "0\n(\n)")
+    write_part(f"{mesh}/boundary", "polyBoundaryMesh", "1\n(\nwall\n{\ntype wall;\nnFaces 4;\nstartFace 0;\n}\n)")
+    path.write_text("")
+
+
+def write_gml(path):
+    rings = "".join(
+        "<gml:surfaceMember><gml:Polygon><gml:exterior><gml:LinearRing><gml:posList>"
+        + " ".join(f"{x:g}" for i in (*face, face[0]) for x in CORNERS[i])
+        + "</gml:posList></gml:LinearRing></gml:exterior></gml:Polygon></gml:surfaceMember>"
+        for face in FACES
+    )
+    path.write_text(
+        '<?xml version="1.0"?><CityModel xmlns="http://www.opengis.net/citygml/2.0" '
+        'xmlns:bldg="http://www.opengis.net/citygml/building/2.0" xmlns:gml="http://www.opengis.net/gml">'
+        f'<cityObjectMember><bldg:Building gml:id="b"><bldg:lod3MultiSurface><gml:MultiSurface>{rings}'
+        "</gml:MultiSurface></bldg:lod3MultiSurface></bldg:Building></cityObjectMember></CityModel>"
+    )
+
+
+def write_gambit(path):
+    path.write_text(
+        "        CONTROL INFO 2.4.6\n** GAMBIT NEUTRAL FILE\nfour\nPROGRAM:  Gambit  VERSION:  2.4.6\n 1 Jan 2000 00:00:00\n"
+        "     NUMNP     NELEM     NGRPS    NBSETS     NDFCD     NDFVL\n"
+        "         4         1         1         0         3         3\nENDOFSECTION\n   NODAL COORDINATES 2.4.6\n"
+        + rows("{:10d}{:20.11e}{:20.11e}{:20.11e}\n")
+        + "ENDOFSECTION\n      ELEMENTS/CELLS 2.4.6\n       1  6  4        1       2       3       4\nENDOFSECTION\n"
+        "       ELEMENT GROUP 2.4.6\nGROUP:          1 ELEMENTS:          1 MATERIAL:          2 NFLAGS:          1\n"
+        "                           fluid\n       0\n       1\nENDOFSECTION\n"
+    )
+
+
+def write_plot3d(path):
+    grid = path.with_suffix(".grid")
+    grid.write_bytes(struct.pack("<3i", 2, 2, 2) + BOX.astype("<f4").tobytes())
+    path.write_text(json.dumps({"auto-detect-format": True, "filenames": [{"time": 0.0, "xyz": grid.name}]}))
+
+
+def write_prostar(path):
+    path.write_text("PROSTAR_VERTEX\n4000 0 0 0 0 0 0 0\n" + rows("{} {} {} {}\n"))
+    path.with_suffix(".cel").write_text("PROSTAR_CELL\n4000 0 0 0 0 0 0 0\n1 11 4 1 4\n1 1 2 3 4\n")
+
+
+def write_segy(path):
+    """Four traces of two samples, one above the other by a millisecond."""
+    header = bytearray(400)
+    for position, value in ((16, 1000), (20, 2), (24, 5)):  # microseconds, samples, values of 32-bit IEEE floats
+        struct.pack_into(">h", header, position, value)
+    content = b" " * 3200 + bytes(header)
+    for x, y in ((0, 0), (3, 0), (0, 2), (3, 2)):
+        trace = bytearray(240)
+        for position, value in ((70, 1), (114, 2), (116, 1000)):
+            struct.pack_into(">h", trace, position, value)
+        struct.pack_into(">2i", trace, 72, x, y)
+        content += bytes(trace) + struct.pack(">2f", 0, 1)
+    path.write_bytes(content)
+
+
+def partitioned():
+    data = vtkPartitionedDataSet()
+    data.SetNumberOfPartitions(1)
+    data.SetPartition(0, cell())
+    return data
+
+
+def collection():
+    data = vtkPartitionedDataSetCollection()
+    data.SetPartitionedDataSet(0, partitioned())
+    return data
+
+
+# A structured zone with the corners of BOX and "height", 0 to 7, at them: the nodes of the standard (SIDS) in HDF5.
+CGNS = """
+eNrr9HBx4+WS4mIAAQ4OBhYGAQZk8B8KFmqj8mHyCQz4gb+HSxATLycjkxKYy8yCZi464GJiYATJC4Cd0coEUe0FM44NYTKPI4hkZGBl4ADCvMTcVBBfGI
+gVweIQAPSeqYJvfklGapFffkoqpgNBxjACIRvYmJzEpNQcLMYE5eeXKIAMUMhPUwCb6ZaZg2wajzIDAxPcNSWVBXDXMCMZ4xvCwOWzcQVIGSMDQpyRQQJC
+M0IEFKHKYTQzMFJAMgIcMC0cYBJkGYjPxMTECBGFmMPMCFUANwEGJjAMRuDv7OEtKsMAShvMzDiTBiRJ3GeGBiVMMyxFMTxYKslA+5BVHHIhCwk3cVaISD
+BGuLHJg0OIBZZIeRQyUtJMy1KLijPz885Dc6BQHNMWcF7meQDLyowkZeUsqP1Tyc7Kzu5+wT6ZSUWJRZVhEMeRlZUxjYkvQTHmrP+JdYhwC2eHiLpihpsq
+JNygIcQghGmyDlTxkqvrAhFG8kON9MAWFESVI0EmDDw2ICGQZ3mAaTMtJzG9GJqOIXYqoKR7mEZk+qHf3EOE8gu6PmagPIgtqCAPt0ecg0G8HiqPO984ca
+AFHxR0DNqSiAVnymaTgMQ8TBerQkpiSeJ/aApP5rP3ApnDJoWqil0hLb8oN7GkFBqYbOIQeWZYwnJKLE6FVb8lRW0BxDkGkqaChKGpG2YbNFWGy8pcxOdh
+T1dX13gfz5AQH9d4YyMsCsCVHTQ5KxjqGRqgK0hLc3NghqbP4JKi0uSS0qLUFKCOktQKRqSkg+wwGGZEwrgBhwNlfDhwQKNJlUcDH+zx0+jqYObC3CcApU
+WgtASUlnFgGAWjYBSMglEwCmjb4AH3z73h/XNmkhr1c9BassQ15MHtHHyA+IY8yCi05jupbWlParSlkZvwK/1eOhJqVzOhttJQ+qHIduJuT7tB29McQ6Mf
+SknXcaowpV3HqPy81BBo/FOQ4mDG4ExxWZpq68FNf6wdhHBB1IY/LPJZQOY2iUI4ic5qFYiuopUopV1FZ0MqJO8t65WvEErSXFD1XGQPrfhxoJowdAatSO
+0qaolA+06RLlvQS2DSRkhfikNUZ1KUN6hQGoOMwZkv6Fwaf9916TBmctWA0JBUx8AMT6a4aFJL5CJo8lVB83jDEEqukERlKwnR44c2mMAmjTpSyAErENOF
+IAJtF2/+RyvqSWtQdEtSWtS7F2WmOOfnF6Vk5iWWpBaTm5zRjMFM2c3NdlMR5XQtNNLd0UNMCbWo50czN0gCqi5FNhZhGrc0WviTXOr7hlAhG+2xUF9MUc
+UdKU3xmC88qCIoKZxcgGWuY1FRYiWuEurE953ciPA3lMMd/mxyqAU6N5ITFaQgYncz581HmPZPhuLhXgsqxOYPw5s8mIWiBYRmxt4sJUQjhoPtobW7A4MJ
+N4PJf2ZCw8HTOLAPtWUMmTr8HTRxy8pOaqcol9TLUS+XRNI0lxxRcfiPNDOiSDiXMGLmkkg3WYiY16dz8gjTVBQGRS7JVt93evDkkmtDPpeIyEN479aUPK
+EolyxVpF4uiaJpLqm1kJ5CZJDJobYOkHJJVA40P/DfL1+IyCVeyoMil9xlyHkyeHKJGOdQzyVWkCzBkB18zAgtlzCRlEuOqFCaS4Lzc0pLMOfWSc0lbjn5
+5TCjsGYU+2dLVuIeKrkphtrjgPUiOGBmToJmhInaSW2I7OGiBo2LgW04z93a2ktRYTdZjRrdIJ/85EScUUl8NwhmDNZoFOvg3YoI/2xNaC8eW5NAHjWieZ
+DNjlSFFgYHz81CGGehMShGv6aeWlNLaPSLDc2FpI9+RXBg+HGYjn5pqEN4XZM/r6Eom2zRpDSbZKRmpmeUUDz4RbBNUGQi3kNkkEmitpzZIE5sgGYF/37n
+04gMEqk9KJoD70Vl0wdPcyBsyDcHPLUgPOEONxEAhHRt4Q==
+"""
+
+UCD = "4 1 1 0 0\n" + rows("{} {} {} {}\n") + "1 0 tet 1 2 3 4\n1 1\nheight, m\n" + rows("{} {}\n", [[i] for i in range(4)])
+TECPLOT = (
+    'TITLE = "four"\nVARIABLES = "X", "Y", "Z", "height"\nZONE T="one", N=4, E=1, F=FEPOINT, ET=TETRAHEDRON\n'
+    + rows("{1} {2} {3} {0}\n", first=0)
+    + "1 2 3 4\n"
+)
+PDB = rows("ATOM  {:5d}  C   ALA A   1    {:8.3f}{:8.3f}{:8.3f}  1.00  0.00           C\n") + "END\n"
+OFF = "OFF\n4 4 6\n" + rows("{1} {2} {3}\n") + rows("3 {1} {2} {3}\n", FACES)
+XDMF = f"""<?xml version="1.0"?><Xdmf Version="2.0"><Domain><Grid Name="four">
+<Topology TopologyType="Tetrahedron" NumberOfElements="1">
+<DataItem Dimensions="1 4" NumberType="Int" Format="XML">0 1 2 3</DataItem></Topology>
+<Geometry GeometryType="XYZ"><DataItem Dimensions="4 3" Format="XML">{rows("{1} {2} {3} ")}</DataItem></Geometry>
+<Attribute Name="height" Center="Node"><DataItem Dimensions="4" Format="XML">0 1 2 3</DataItem></Attribute>
+</Grid></Domain></Xdmf>"""
+
+BOXES = {
+    "cgns": lambda path: path.write_bytes(zlib.decompress(base64.b64decode(CGNS))),
+    "p3d": write_plot3d,
+    "sgy": write_segy,
+}
+POINTS = {
+    "byu": write_byu,
+    "cas": write_fluent,
+    "case": write_ensight,
+    "exo": lambda path: write(path, vtkExodusIIWriter(), cell()),
+    "foam": write_foam,
+    "gml": write_gml,
+    "inp": lambda path: path.write_text(UCD),
+    "neu": write_gambit,
+    "off": lambda path: path.write_text(OFF),
+    "pdb": lambda path: path.write_text(PDB),
+    "tag": lambda path: write(path, vtkMNITagPointWriter(), triangles()),
+    "tec": lambda path: path.write_text(TECPLOT),
+    "vrt": write_prostar,
+    "vtpc": lambda path: write(path, vtkXMLPartitionedDataSetCollectionWriter(), collection()),
+    "vtpd": lambda path: write(path, vtkXMLPartitionedDataSetWriter(), partitioned()),
+    "xmf": lambda path: path.write_text(XDMF),
+    **BOXES,
+}
+WITH_HEIGHT = ("case", "exo", "inp", "tec", "vtpc", "vtpd", "xmf", "cgns")
+
+
+def has_reader(extension):
+    form = FORMATS[extension]
+    return hasattr(pytest.importorskip(f"vtkmodules.{form.module}", reason=f"no {form.module}"), form.reader)
+
+
+@pytest.mark.parametrize("extension", POINTS)
+def test_points(tmp_path, extension):
+    path = tmp_path / f"points.{extension}"
+    POINTS[extension](path)
+    if not has_reader(extension):
+        pytest.skip(f"this VTK has no {FORMATS[extension].reader}")
+    cloud = read(str(path))
+    assert cloud.IsA("vtkPolyData")
+    points = vtk_to_numpy(cloud.GetPoints().GetData())
+    expected = BOX.reshape(3, -1).T if extension in BOXES else CORNERS
+    if extension == "sgy":
+        expected = expected * (1, 1, -1)  # time goes down
+    if extension in ("cas", "gml", "sgy"):  # points that are there twice; another order
+        points, expected = np.unique(points, axis=0), np.unique(expected, axis=0)
+    assert np.allclose(points, expected)
+    if extension in WITH_HEIGHT:
+        heights = cloud.GetPointData().GetArray("height")
+        assert vtk_to_numpy(heights).tolist() == list(range(len(expected)))
+
+
+@pytest.mark.parametrize("extension", FORMATS)
+def test_readers_that_this_vtk_does_not_have(tmp_path, extension, monkeypatch):
+    """Module or class: both are named, with what to do."""
+    form = FORMATS[extension]
+    path = tmp_path / f"points.{extension}"
+    path.write_text("")
+    for missing in (form._replace(module="vtkIONowhere"), form._replace(reader="vtkNoReader")):
+        monkeypatch.setitem(FORMATS, extension, missing)
+        if extension not in ("dcm", "mrc", "ply", "stl", "tag"):  # which are looked at first
+            check_fault(path, missing.module, missing.reader, "pip install vtk")
+
+
+BROKEN = [e for e in (*VOLUMES, *POINTS) if e not in ("dicom", "foam", "off", "xmf")]
+
+
+@pytest.mark.parametrize("content", [b"", b"\x00\xff\x13 no such thing \n" * 50], ids=["empty", "garbage"])
+@pytest.mark.parametrize("extension", BROKEN)
+def test_broken_files(tmp_path, extension, content, capfd):
+    path = tmp_path / f"broken.{extension}"
+    path.write_bytes(content)
+    check_fault(path)
+    assert capfd.readouterr() == ("", "")
+
+
+CUT = ["cgns", "exo", "gml", "inp", "mnc", "nc", "neu", "slc", "tag", "vtkhdf"]
+
+
+@pytest.mark.parametrize("extension, share", [(e, s) for e in CUT for s in (0.9, 0.5)] + [("byu", 0.5), ("case", 0.5)])
+def test_files_cut_short(tmp_path, extension, share):
+    path = tmp_path / f"short.{extension}"
+    {**VOLUMES, **POINTS}[extension](path)
+    content = path.read_bytes()
+    path.write_bytes(content[: int(len(content) * share)])
+    check_fault(path)
+
+
+def test_a_reader_that_does_not_come_to_an_end(tmp_path, monkeypatch):
+    """VTK's of Tecplot, on a file that ends amid its points."""
+    path = tmp_path / "short.tec"
+    path.write_text(TECPLOT[: len(TECPLOT) // 2])
+    monkeypatch.setattr("pointsurface.readers._TRIAL_SECONDS", 4.0)
+    check_fault(path, "cannot be read")
