@@ -110,12 +110,14 @@ MATERIALS = {
 
 
 def inner_difference(mapper_class, prepare, data=(torus_cloud, torus_mesh)):
+    """In grey levels, over what both cover: the mean over all channels, and the mean of each pixel's largest one."""
     cloud, mesh = cloud_and_mesh(mapper_class, prepare, data)
     pictures = cloud.color(), mesh.color()
     mask = covered_by_both(cloud, mesh)
     assert np.count_nonzero(mask) > 8000
     assert pictures[0][mask].std() > 0.02 or not cloud.actor.GetProperty().GetLighting(), "nothing is lit"
-    return difference(*pictures, mask)
+    of_channels = 255 * np.abs(pictures[0] - pictures[1])[mask]
+    return float(of_channels.mean()), difference(*pictures, mask)
 
 
 @pytest.fixture(scope="module", params=MAPPERS, ids=lambda m: m.__name__)
@@ -126,10 +128,16 @@ def plain(request):
 
 @pytest.mark.parametrize("name", [*LIGHTS, *MATERIALS])
 def test_lit_as_the_mesh(plain, name):
+    """The mean difference is at most 1.1 times that of the headlight, whose light is white.
+
+    The largest channel has a floor of a grey level, and more room: with coloured lights each of a pixel's channels is rounded
+    by itself, with white ones all three together, so that the largest of three is larger for the same normals.
+    """
     mapper_class, headlight = plain
     other = inner_difference(mapper_class, {**LIGHTS, **MATERIALS}[name])
-    print(f"{name}: {other:.3f}, headlight: {headlight:.3f}")
-    assert other <= max(1.15 * headlight, 1.0)  # grey levels, which are not to be seen
+    print(f"{name}: {other[0]:.3f} and {other[1]:.3f}, headlight: {headlight[0]:.3f} and {headlight[1]:.3f}")
+    assert other[0] <= 1.1 * headlight[0]
+    assert other[1] <= max(1.15 * headlight[1], 1.0)
 
 
 @pytest.mark.parametrize("mapper_class", MAPPERS)
