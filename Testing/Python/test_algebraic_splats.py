@@ -290,6 +290,38 @@ def test_hole_free_selection_covers_every_point():
     assert share < 0.1  # the paper's, at 1
 
 
+def test_fixed_count_is_fitted_at_projected_points():
+    """h is the mean distance of the eight nearest ones within the plane (section 2.3.3), and points are these and the input."""
+    random = np.random.default_rng(4)
+    x = random.uniform(-1, 1, (3000, 2))
+    poly = cloud(np.column_stack([x, 0.2 * x[:, 0] ** 2]), np.tile([0, 0, 1.0], (3000, 1)))
+    projection = vtkLocallyOptimalProjection()
+    projection.SetInputData(poly)
+    projection.SetNumberOfPoints(150)
+    projection.SetSeed(7)
+    projection.Update()
+    points = positions(projection.GetOutput()).astype(float)
+    splats = fit(poly, Selection=2, NumberOfSplats=150, Seed=7, Order=2, NumberOfNeighbors=6, ExtrapolationLimit=0,
+                 Overlap=1).GetOutput()
+    away = points[:, None, :2] - points[None, :, :2]  # the input's normals are (0, 0, 1)
+    solid = np.linalg.norm(points[:, None] - points[None], axis=2)
+    nearest = np.argsort(solid, axis=1)[:, 1:9]
+    expected = np.take_along_axis(np.linalg.norm(away, axis=2), nearest, axis=1).mean(axis=1)
+    assert np.allclose(array(splats, "FeatureSize"), expected, rtol=1e-5)
+    assert np.allclose(array(splats, "radius"), expected, rtol=1e-5)
+    union = np.vstack([positions(poly), points])
+    for i in np.argsort(np.linalg.norm(points[:, :2], axis=1))[:10]:
+        n, u = array(splats, "Normals")[i].astype(float), array(splats, "SplatAxes")[i].astype(float)
+        h, d = expected[i], union - points[i]
+        d = d[np.linalg.norm(d, axis=1) <= 2 * h]
+        a, b = d @ u / h, d @ np.cross(n, u) / h
+        root = np.exp(-0.5 * (d * d).sum(axis=1) / h ** 2)
+        height = d @ n - (positions(splats)[i] - points[i]) @ n
+        terms = np.column_stack([np.ones_like(a), a, b, a * a, a * b, b * b])
+        c = np.linalg.lstsq(terms * root[:, None], height / h * root, rcond=None)[0]
+        assert np.allclose(array(splats, "SplatCoefficients")[i], c, atol=1e-4)
+
+
 def test_same_for_any_threads_and_other_for_another_seed():
     poly = sphere(2000)
 
