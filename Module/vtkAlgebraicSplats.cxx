@@ -44,6 +44,9 @@ constexpr double SupportOfFixedCount = 2.0;
 constexpr double LeastShareOfSide = 1.0 / 8.0;
 /// And no fewer than these, which a plane takes.
 constexpr vtkIdType LeastNumberOfSide = 3;
+/// Where neighbours reach less far to one side than this share of how far they reach to the other,
+/// there is a border.
+constexpr double LargestShareAtBorder = 0.7;
 /// No fewer neighbours of a point at a border are left than these.
 constexpr size_t LeastNumberAtBorders = 16;
 
@@ -115,6 +118,8 @@ private:
   bool FitFixedCount();
   vtkAlgebraicSplat FitAt(const Vector& center, const Vector& normal, double featureSize) const;
   Vector FindSide(const Vector& center, const Vector& normal, vtkIdList* neighbors) const;
+  Vector GetShiftFromBorder(
+    const std::vector<Vector>& neighbors, const vtkAlgebraicSplat& splat) const;
   bool IsOnSameSide(const Vector& a, const Vector& b) const
   {
     return !this->Filter->RejectOppositeNormals || Dot(a, b) >= 0.0;
@@ -221,7 +226,53 @@ vtkAlgebraicSplat vtkAlgebraicSplats::Worker::FitAt(
     fitter.Neighbors.resize(fitter.Neighbors.size() / 2);
     splat = fitter.Fit(center, side, featureSize, this->GetRadiusFactor());
   }
+  const Vector shift = featureSize == 0.0 && this->Filter->ExtrapolationLimit > 0.0
+    ? this->GetShiftFromBorder(fitter.Neighbors, splat)
+    : Vector{};
+  if (Dot(shift, shift) > 0.0)
+  {
+    for (Vector& neighbor : fitter.Neighbors)
+    {
+      neighbor = Subtract(neighbor, shift);
+    }
+    splat = fitter.Fit(Subtract(center, { -shift[0], -shift[1], -shift[2] }), side,
+      splat.FeatureSize, this->GetRadiusFactor());
+  }
   return splat;
+}
+
+// Where a border is nearer than what the splat stands for reaches, its disc, which is larger, can
+// move away from it until it just covers that: then it is less far over the border.
+Vector vtkAlgebraicSplats::Worker::GetShiftFromBorder(
+  const std::vector<Vector>& neighbors, const vtkAlgebraicSplat& splat) const
+{
+  Vector inward = {}; // to the middle of the neighbours, within the plane
+  for (const Vector& p : neighbors)
+  {
+    const double u = Dot(p, splat.U) / neighbors.size();
+    const double v = Dot(p, splat.V) / neighbors.size();
+    for (int k = 0; k < 3; ++k)
+    {
+      inward[k] += u * splat.U[k] + v * splat.V[k];
+    }
+  }
+  vtkMath::Normalize(inward.data());
+  double border = 0.0; // its distance, if the neighbours end there and not as there are no more
+  double end = 0.0;    // and that of theirs on the other side
+  for (const Vector& p : neighbors)
+  {
+    border = std::max(border, -Dot(p, inward));
+    end = std::max(end, Dot(p, inward));
+  }
+  const double reach = this->Filter->Quality * splat.FeatureSize;
+  if (!(border < std::min(reach, LargestShareAtBorder * end)))
+  {
+    return {};
+  }
+  // the points of the border at a distance of `reach` come to lie on the disc's rim
+  const double moved =
+    std::sqrt(border * border + splat.Radius * splat.Radius - reach * reach) - border;
+  return { moved * inward[0], moved * inward[1], moved * inward[2] };
 }
 
 // The normal itself, or, where nearly all neighbours contradict it, that of the nearest one that

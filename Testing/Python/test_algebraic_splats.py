@@ -244,7 +244,7 @@ def test_fit_is_weighted_least_squares():
 
 
 def test_splats_reach_less_far_over_borders():
-    """Those of a square's rim are smaller than those amid it, and still leave no point without one."""
+    """Those of a square's rim are smaller than those amid it and moved inwards, and still leave no point without one."""
     xy = np.random.default_rng(2).uniform(-1, 1, (6000, 2))
     poly = cloud(np.column_stack([xy, 0.2 * xy[:, 0] ** 2]), np.tile([0, 0, 1.0], (6000, 1)))
 
@@ -256,7 +256,7 @@ def test_splats_reach_less_far_over_borders():
         return (np.abs(centers[:, :2]).max(axis=1) + radii - 1).max()
 
     print("overhang", overhang(5.0), "without a limit", overhang(0.0))
-    assert overhang(5.0) < 0.6 * overhang(0.0)
+    assert overhang(5.0) < 0.45 * overhang(0.0)
 
 
 @pytest.mark.parametrize("selection", (1, 2))
