@@ -3,8 +3,6 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
 #include "vtkPointSet.h"
 
 #include <algorithm>
@@ -27,7 +25,6 @@ vtkPCLLocalCloud::vtkPCLLocalCloud(vtkPointSet* input)
       this->Ids.push_back(id);
     }
   }
-  this->NotFinite = count - static_cast<vtkIdType>(this->Ids.size());
   if (this->Ids.empty())
   {
     return;
@@ -77,19 +74,4 @@ bool vtkPCLLocalCloud::ForBatches(vtkAlgorithm* filter, double from, double to,
     filter->UpdateProgress(from + (to - from) * end / count);
   }
   return !filter->GetAbortExecute();
-}
-
-//------------------------------------------------------------------------------
-void vtkPCLFindViewpoint(vtkPointSet* input, const double fallback[3], double viewpoint[3])
-{
-  std::copy(fallback, fallback + 3, viewpoint);
-  vtkDataArray* sensor = input->GetFieldData()->GetArray("viewpoint");
-  if (sensor && sensor->GetNumberOfValues() == 7)
-  {
-    const int components = sensor->GetNumberOfComponents();
-    for (int i = 0; i < 3; ++i)
-    {
-      viewpoint[i] = sensor->GetComponent(i / components, i % components);
-    }
-  }
 }

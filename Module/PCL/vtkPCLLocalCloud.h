@@ -37,7 +37,6 @@ public:
    */
   vtkIdType GetId(std::size_t index) const { return this->Ids[index]; }
   std::size_t GetNumberOfPoints() const { return this->Ids.size(); }
-  vtkIdType GetNumberOfNotFinite() const { return this->NotFinite; }
 
   /**
    * A length of the cloud times this is one of the input.
@@ -57,15 +56,8 @@ public:
 private:
   pcl::PointCloud<pcl::PointXYZ>::Ptr Cloud;
   std::vector<vtkIdType> Ids;
-  vtkIdType NotFinite = 0;
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Scale = 1.0;
 };
-
-/**
- * Where the sensor was: the field data `viewpoint` that vtkPCDReader leaves, if there are any, else
- * `fallback`.
- */
-void vtkPCLFindViewpoint(vtkPointSet* input, const double fallback[3], double viewpoint[3]);
 
 #endif

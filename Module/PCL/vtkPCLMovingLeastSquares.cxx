@@ -2,8 +2,6 @@
 #include "vtkPCLMovingLeastSquares.h"
 
 #include "vtkFloatArray.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPCLLocalCloud.h"
@@ -70,18 +68,9 @@ double MeanSpacing(const vtkPCLLocalCloud& local, vtkAlgorithm* filter)
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
-int vtkPCLMovingLeastSquares::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+vtkIdType vtkPCLMovingLeastSquares::Estimate(const vtkPCLLocalCloud& local,
+  const double viewpoint[3], vtkPointSet* output, vtkFloatArray* normals, vtkFloatArray* curvature)
 {
-  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
-  vtkPointSet* output = vtkPointSet::GetData(outputVector);
-  output->ShallowCopy(input);
-  if (input->GetNumberOfPoints() == 0)
-  {
-    return 1;
-  }
-
-  const vtkPCLLocalCloud local(input);
   const double radius = this->SearchRadius > 0.0 ? this->SearchRadius / local.GetScale()
                                                  : 4.0 * MeanSpacing(local, this);
   this->UpdateProgress(0.2);
@@ -94,21 +83,10 @@ int vtkPCLMovingLeastSquares::RequestData(
   squares.setPolynomialOrder(this->PolynomialOrder);
   squares.setComputeNormals(true);
 
-  double viewpoint[3];
-  vtkPCLFindViewpoint(input, this->Viewpoint, viewpoint);
-  vtkDataArray* sides = input->GetPointData()->GetNormals();
+  vtkDataArray* sides = output->GetPointData()->GetNormals();
   vtkNew<vtkPoints> points;
-  points->SetDataType(input->GetPoints()->GetDataType());
-  points->DeepCopy(input->GetPoints());
-  vtkNew<vtkFloatArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(input->GetNumberOfPoints());
-  normals->Fill(0.0);
-  vtkNew<vtkFloatArray> curvature;
-  curvature->SetName("curvature");
-  curvature->SetNumberOfTuples(input->GetNumberOfPoints());
-  curvature->Fill(0.0);
+  points->SetDataType(output->GetPoints()->GetDataType());
+  points->DeepCopy(output->GetPoints());
   vtkIdType moved = 0;
   const auto move = [&](const vtkPCLLocalCloud::Indices& indices)
   {
@@ -146,21 +124,11 @@ int vtkPCLMovingLeastSquares::RequestData(
       curvature->SetValue(id, point.curvature);
     }
   };
-  if (!local.ForBatches(this, 0.2, 1.0, move))
+  if (local.ForBatches(this, 0.2, 1.0, move))
   {
-    return 1;
+    output->SetPoints(points);
   }
-
-  if (moved < input->GetNumberOfPoints())
-  {
-    vtkWarningMacro(<< input->GetNumberOfPoints() - moved << " of " << input->GetNumberOfPoints()
-                    << " points have NaN or infinite coordinates, or fewer than 3 neighbours "
-                       "within the search radius; they stay where they are.");
-  }
-  output->SetPoints(points);
-  output->GetPointData()->SetNormals(normals);
-  output->GetPointData()->AddArray(curvature);
-  return 1;
+  return moved;
 }
 
 //------------------------------------------------------------------------------
@@ -169,6 +137,4 @@ void vtkPCLMovingLeastSquares::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SearchRadius: " << this->SearchRadius << "\n";
   os << indent << "PolynomialOrder: " << this->PolynomialOrder << "\n";
-  os << indent << "Viewpoint: (" << this->Viewpoint[0] << ", " << this->Viewpoint[1] << ", "
-     << this->Viewpoint[2] << ")\n";
 }

@@ -5,18 +5,9 @@
  *
  * pcl::MovingLeastSquares in a pipeline: each point is projected onto a polynomial that is fitted
  * to the points around it. The output is a shallow copy of the point set with the points moved
- * (their number, order and precision stay), `Normals` (float, unit, the active normals) and
- * `curvature` (float, as in vtkPCLNormalEstimation).
- *
- * Normals take the side of the input's where it has some, else that of the sensor: the field data
- * `viewpoint` (as vtkPCDReader gives), if there are any, else Viewpoint.
- *
- * Points that are not finite, or have fewer than 3 neighbours, stay where they are, and get a zero
- * normal and curvature, with one warning. Positions are taken about the middle of the cloud, so
- * that PCL's single precision does for coordinates of any size.
- *
- * Threads are those of vtkSMPTools. Progress is reported and AbortExecute is honoured in between;
- * the output of an aborted filter is its input.
+ * (their number, order and precision stay), and with the normals and curvature that
+ * vtkPCLSurfaceEstimation tells of; but normals take the side of the input's where it has some.
+ * Points without a surface stay where they are.
  *
  * @sa
  * vtkPCLNormalEstimation vtkAlgebraicSplats
@@ -25,14 +16,14 @@
 #ifndef vtkPCLMovingLeastSquares_h
 #define vtkPCLMovingLeastSquares_h
 
-#include "vtkPointSetAlgorithm.h"
+#include "vtkPCLSurfaceEstimation.h"
 #include "vtkPointSurfacePCLModule.h" // For export macro
 
-class VTKPOINTSURFACEPCL_EXPORT vtkPCLMovingLeastSquares : public vtkPointSetAlgorithm
+class VTKPOINTSURFACEPCL_EXPORT vtkPCLMovingLeastSquares : public vtkPCLSurfaceEstimation
 {
 public:
   static vtkPCLMovingLeastSquares* New();
-  vtkTypeMacro(vtkPCLMovingLeastSquares, vtkPointSetAlgorithm);
+  vtkTypeMacro(vtkPCLMovingLeastSquares, vtkPCLSurfaceEstimation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -53,20 +44,12 @@ public:
   vtkGetMacro(PolynomialOrder, int);
   ///@}
 
-  ///@{
-  /**
-   * The point that normals are turned to, in the coordinates of the input, where it has neither
-   * normals nor field data `viewpoint`. Default: (0, 0, 0).
-   */
-  vtkSetVector3Macro(Viewpoint, double);
-  vtkGetVector3Macro(Viewpoint, double);
-  ///@}
-
 protected:
   vtkPCLMovingLeastSquares() = default;
   ~vtkPCLMovingLeastSquares() override = default;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  vtkIdType Estimate(const vtkPCLLocalCloud& local, const double viewpoint[3], vtkPointSet* output,
+    vtkFloatArray* normals, vtkFloatArray* curvature) override;
 
 private:
   vtkPCLMovingLeastSquares(const vtkPCLMovingLeastSquares&) = delete;
@@ -74,7 +57,6 @@ private:
 
   double SearchRadius = 0.0;
   int PolynomialOrder = 2;
-  double Viewpoint[3] = { 0.0, 0.0, 0.0 };
 };
 
 #endif

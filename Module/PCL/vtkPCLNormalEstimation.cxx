@@ -2,12 +2,8 @@
 #include "vtkPCLNormalEstimation.h"
 
 #include "vtkFloatArray.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPCLLocalCloud.h"
-#include "vtkPointData.h"
-#include "vtkPointSet.h"
 #include "vtkSMPTools.h"
 
 #include <pcl/features/normal_3d_omp.h>
@@ -18,16 +14,9 @@
 vtkStandardNewMacro(vtkPCLNormalEstimation);
 
 //------------------------------------------------------------------------------
-int vtkPCLNormalEstimation::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+vtkIdType vtkPCLNormalEstimation::Estimate(const vtkPCLLocalCloud& local, const double viewpoint[3],
+  vtkPointSet*, vtkFloatArray* normals, vtkFloatArray* curvature)
 {
-  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
-  vtkPointSet* output = vtkPointSet::GetData(outputVector);
-  output->ShallowCopy(input);
-
-  const vtkPCLLocalCloud local(input);
-  double viewpoint[3];
-  vtkPCLFindViewpoint(input, this->Viewpoint, viewpoint);
   const pcl::PointXYZ towards = local.ToLocal(viewpoint);
 
   pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation;
@@ -45,16 +34,7 @@ int vtkPCLNormalEstimation::RequestData(
   }
   this->UpdateProgress(0.1);
 
-  vtkNew<vtkFloatArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(input->GetNumberOfPoints());
-  normals->Fill(0.0);
-  vtkNew<vtkFloatArray> curvature;
-  curvature->SetName("curvature");
-  curvature->SetNumberOfTuples(input->GetNumberOfPoints());
-  curvature->Fill(0.0);
-  vtkIdType without = local.GetNumberOfNotFinite();
+  vtkIdType estimated = 0;
   const auto estimate = [&](const vtkPCLLocalCloud::Indices& indices)
   {
     pcl::PointCloud<pcl::Normal> result;
@@ -65,28 +45,16 @@ int vtkPCLNormalEstimation::RequestData(
       const pcl::Normal& normal = result[i];
       if (!std::isfinite(normal.normal_x) || !std::isfinite(normal.curvature))
       {
-        ++without;
         continue;
       }
+      ++estimated;
       const vtkIdType id = local.GetId((*indices)[i]);
       normals->SetTypedTuple(id, normal.normal);
       curvature->SetValue(id, normal.curvature);
     }
   };
-  if (!local.ForBatches(this, 0.1, 1.0, estimate))
-  {
-    return 1;
-  }
-
-  if (without > 0)
-  {
-    vtkWarningMacro(<< without << " of " << input->GetNumberOfPoints()
-                    << " points have NaN or infinite coordinates, or fewer than 3 neighbours; they "
-                       "get a zero normal.");
-  }
-  output->GetPointData()->SetNormals(normals);
-  output->GetPointData()->AddArray(curvature);
-  return 1;
+  local.ForBatches(this, 0.1, 1.0, estimate);
+  return estimated;
 }
 
 //------------------------------------------------------------------------------
@@ -95,6 +63,4 @@ void vtkPCLNormalEstimation::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfNeighbors: " << this->NumberOfNeighbors << "\n";
   os << indent << "SearchRadius: " << this->SearchRadius << "\n";
-  os << indent << "Viewpoint: (" << this->Viewpoint[0] << ", " << this->Viewpoint[1] << ", "
-     << this->Viewpoint[2] << ")\n";
 }

@@ -3,20 +3,9 @@
  * @class   vtkPCLNormalEstimation
  * @brief   normals and curvature from neighbours, turned towards the sensor, by PCL
  *
- * pcl::NormalEstimationOMP in a pipeline. Adds `Normals` (float, unit, the active normals) and
- * `curvature` (float, 0 in a plane to 1/3: the least eigenvalue of the neighbours' covariance over
- * the sum of all) to a shallow copy of a point set.
- *
- * Each normal points to the half space of the sensor: that of the field data `viewpoint` (as
- * vtkPCDReader gives), if there are any, else Viewpoint. That suits what one sensor saw; for a
- * closed surface take vtkPointNormals.
- *
- * Points that are not finite, or have fewer than 3 neighbours, get a zero normal and curvature,
- * with one warning. Positions are taken about the middle of the cloud, so that PCL's single
- * precision does for coordinates of any size.
- *
- * Threads are those of vtkSMPTools. Progress is reported and AbortExecute is honoured in between;
- * the output of an aborted filter has no new arrays.
+ * pcl::NormalEstimationOMP in a pipeline. What it adds to a point set, which side normals point to,
+ * and what becomes of points without a surface is told by vtkPCLSurfaceEstimation. The side suits
+ * what one sensor saw; for a closed surface take vtkPointNormals.
  *
  * @sa
  * vtkPointNormals vtkPCLMovingLeastSquares
@@ -25,14 +14,14 @@
 #ifndef vtkPCLNormalEstimation_h
 #define vtkPCLNormalEstimation_h
 
-#include "vtkPointSetAlgorithm.h"
+#include "vtkPCLSurfaceEstimation.h"
 #include "vtkPointSurfacePCLModule.h" // For export macro
 
-class VTKPOINTSURFACEPCL_EXPORT vtkPCLNormalEstimation : public vtkPointSetAlgorithm
+class VTKPOINTSURFACEPCL_EXPORT vtkPCLNormalEstimation : public vtkPCLSurfaceEstimation
 {
 public:
   static vtkPCLNormalEstimation* New();
-  vtkTypeMacro(vtkPCLNormalEstimation, vtkPointSetAlgorithm);
+  vtkTypeMacro(vtkPCLNormalEstimation, vtkPCLSurfaceEstimation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -53,20 +42,12 @@ public:
   vtkGetMacro(SearchRadius, double);
   ///@}
 
-  ///@{
-  /**
-   * The point that normals are turned to, in the coordinates of the input, where there are no field
-   * data `viewpoint`. Default: (0, 0, 0).
-   */
-  vtkSetVector3Macro(Viewpoint, double);
-  vtkGetVector3Macro(Viewpoint, double);
-  ///@}
-
 protected:
   vtkPCLNormalEstimation() = default;
   ~vtkPCLNormalEstimation() override = default;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  vtkIdType Estimate(const vtkPCLLocalCloud& local, const double viewpoint[3], vtkPointSet* output,
+    vtkFloatArray* normals, vtkFloatArray* curvature) override;
 
 private:
   vtkPCLNormalEstimation(const vtkPCLNormalEstimation&) = delete;
@@ -74,7 +55,6 @@ private:
 
   int NumberOfNeighbors = 16;
   double SearchRadius = 0.0;
-  double Viewpoint[3] = { 0.0, 0.0, 0.0 };
 };
 
 #endif
