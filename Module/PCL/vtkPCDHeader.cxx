@@ -375,11 +375,10 @@ void vtkPCDHeader::CheckSize(std::istream& file) const
 }
 
 //------------------------------------------------------------------------------
-void vtkPCDHeader::CheckPoint(const std::string& line, std::uint64_t number) const
+void vtkPCDHeader::CheckPoint(const char* line, const char* end, std::uint64_t number) const
 {
   const auto where = [&] { return "line " + std::to_string(number) + " of its data "; };
-  const char* end = line.data() + line.size();
-  const char* wordEnd = line.data();
+  const char* wordEnd = line;
   for (const Field& field : this->Fields)
   {
     for (unsigned int i = 0; i < field.Count; ++i)

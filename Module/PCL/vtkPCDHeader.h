@@ -46,7 +46,7 @@ public:
    * as many as there are fields, each a number that its field can hold. `number`: of the line, for
    * the text.
    */
-  void CheckPoint(const std::string& line, std::uint64_t number) const;
+  void CheckPoint(const char* line, const char* end, std::uint64_t number) const;
 
   Encoding GetEncoding() const { return this->Data; }
   std::uint64_t GetNumberOfPoints() const { return this->Points; }

@@ -7,16 +7,19 @@
 #include "vtkPCDHeader.h"
 #include "vtkPCLConversion.h"
 #include "vtkPolyData.h"
+#include "vtkProgressFor.h"
 
 #include <boost/interprocess/file_mapping.hpp>
 #include <boost/interprocess/mapped_region.hpp>
 #include <pcl/console/print.h>
 #include <pcl/io/pcd_io.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkPCDReader);
 
@@ -78,32 +81,108 @@ private:
 
 struct Cloud
 {
-  pcl::PCLPointCloud2 Points;
+  pcl::PCLPointCloud2 Points; // without data where File has them
   Eigen::Vector4f Origin = Eigen::Vector4f::Zero();
   Eigen::Quaternionf Orientation = Eigen::Quaternionf::Identity();
+  boost::interprocess::mapped_region File;
+  std::size_t Begin = 0; // of the data in it
+
+  const unsigned char* GetData() const
+  {
+    return this->File.get_size() > 0
+      ? static_cast<const unsigned char*>(this->File.get_address()) + this->Begin
+      : this->Points.data.data();
+  }
+  std::size_t GetSize() const
+  {
+    return this->File.get_size() > 0 ? this->File.get_size() - this->Begin
+                                     : this->Points.data.size();
+  }
 };
 
-// PCL leaves out a line that has too few values, and takes what is no number for 0.
-void CheckText(const vtkPCDHeader& header, std::istream& file)
+// Whole lines of text data, and what they were found to be.
+struct TextBlock
 {
-  std::string line;
-  std::uint64_t number = 0;
-  std::uint64_t points = 0;
-  while (points < header.GetNumberOfPoints() && std::getline(file, line))
+  const char* Begin = nullptr;
+  const char* End = nullptr;
+  std::uint64_t Lines = 0; // up to the first one with a fault
+  std::uint64_t Points = 0;
+  const char* Fault = nullptr; // that line
+};
+
+std::vector<TextBlock> SplitText(const char* begin, const char* end)
+{
+  constexpr std::ptrdiff_t size = 1 << 18;
+  std::vector<TextBlock> blocks;
+  while (begin != end)
   {
-    ++number;
-    if (!line.empty())
+    TextBlock block;
+    block.Begin = begin;
+    begin = std::find(begin + std::min(size, end - begin), end, '\n');
+    begin += begin != end ? 1 : 0;
+    block.End = begin;
+    blocks.push_back(block);
+  }
+  return blocks;
+}
+
+void CheckTextBlock(const vtkPCDHeader& header, TextBlock& block)
+{
+  for (const char* line = block.Begin; line != block.End; ++block.Lines)
+  {
+    const char* end = std::find(line, block.End, '\n');
+    if (end != line)
     {
-      header.CheckPoint(line, number);
-      ++points;
+      try
+      {
+        header.CheckPoint(line, end, 0);
+      }
+      catch (const std::runtime_error&)
+      {
+        block.Fault = line;
+        return;
+      }
+      ++block.Points;
+    }
+    line = end + (end != block.End ? 1 : 0);
+  }
+}
+
+// PCL leaves out a line that has too few values, and takes what is no number for 0.
+void CheckText(
+  const vtkPCDHeader& header, const char* begin, const char* end, vtkAlgorithm* reader, double to)
+{
+  std::vector<TextBlock> blocks = SplitText(begin, end);
+  const vtkIdType batch = 16 * vtkSMPTools::GetEstimatedNumberOfThreads();
+  if (!vtkProgressFor(reader, static_cast<vtkIdType>(blocks.size()), batch, 0.0, to,
+        [&](vtkIdType first, vtkIdType last)
+        {
+          for (vtkIdType i = first; i < last; ++i)
+          {
+            CheckTextBlock(header, blocks[i]);
+          }
+        }))
+  {
+    return;
+  }
+  std::uint64_t lines = 0;
+  std::uint64_t points = 0;
+  for (const TextBlock& block : blocks)
+  {
+    lines += block.Lines;
+    points += block.Points;
+    if (points >= header.GetNumberOfPoints())
+    {
+      return; // what follows is not read
+    }
+    if (block.Fault)
+    {
+      header.CheckPoint(block.Fault, std::find(block.Fault, block.End, '\n'), lines + 1);
     }
   }
-  if (points < header.GetNumberOfPoints())
-  {
-    throw std::runtime_error("it is cut short: its header asks for " +
-      std::to_string(header.GetNumberOfPoints()) + " points, and there are " +
-      std::to_string(points));
-  }
+  throw std::runtime_error("it is cut short: its header asks for " +
+    std::to_string(header.GetNumberOfPoints()) + " points, and there are " +
+    std::to_string(points));
 }
 
 // Throws std::exception where that fails; nothing that is read is of worth when the reader was
@@ -121,11 +200,12 @@ void ReadCloud(const char* name, vtkAlgorithm* reader, Cloud& cloud)
   std::string head(data, '\0');
   file.seekg(0);
   file.read(&head[0], static_cast<std::streamsize>(data));
-  const bool text = header.GetEncoding() == vtkPCDHeader::Encoding::Ascii;
-  if (text)
+  using namespace boost::interprocess;
+  if (header.GetEncoding() == vtkPCDHeader::Encoding::Ascii && header.GetNumberOfPoints() > 0)
   {
-    buffer.SetRange(0.0, 0.2);
-    CheckText(header, file);
+    const mapped_region map(file_mapping(name, read_only), read_only);
+    const char* begin = static_cast<const char*>(map.get_address());
+    CheckText(header, begin + data, begin + map.get_size(), reader, 0.1);
     if (reader->GetAbortExecute())
     {
       return;
@@ -143,19 +223,25 @@ void ReadCloud(const char* name, vtkAlgorithm* reader, Cloud& cloud)
     pcd.readHeader(lines, cloud.Points, cloud.Origin, cloud.Orientation, version, encoding, begin);
   if (result == 0 && header.GetNumberOfPoints() > 0)
   {
-    if (text)
+    switch (header.GetEncoding())
     {
-      file.clear();
-      file.seekg(static_cast<std::streamoff>(data));
-      buffer.SetRange(0.2, 0.8);
-      result = pcd.readBodyASCII(file, cloud.Points, version);
-    }
-    else
-    {
-      using namespace boost::interprocess;
-      const mapped_region map(file_mapping(name, read_only), read_only);
-      result = pcd.readBodyBinary(static_cast<const unsigned char*>(map.get_address()),
-        cloud.Points, version, encoding == 2, static_cast<unsigned int>(data));
+      case vtkPCDHeader::Encoding::Ascii:
+        file.clear();
+        file.seekg(static_cast<std::streamoff>(data));
+        buffer.SetRange(0.1, 0.8);
+        result = pcd.readBodyASCII(file, cloud.Points, version);
+        break;
+      case vtkPCDHeader::Encoding::Binary: // lie there as they will in memory: PCL would copy them
+        cloud.File = mapped_region(file_mapping(name, read_only), read_only);
+        cloud.Begin = data;
+        break;
+      case vtkPCDHeader::Encoding::Compressed:
+      {
+        const mapped_region map(file_mapping(name, read_only), read_only);
+        result = pcd.readBodyBinary(static_cast<const unsigned char*>(map.get_address()),
+          cloud.Points, version, true, static_cast<unsigned int>(data));
+        break;
+      }
     }
   }
   if (result < 0 && !reader->GetAbortExecute())
@@ -198,8 +284,8 @@ int vtkPCDReader::RequestData(
     }
     if (!this->GetAbortExecute())
     {
-      vtkPCLConversion::ToPolyData(
-        cloud.Points, cloud.Origin, cloud.Orientation, output, this->RemoveInvalidPoints);
+      vtkPCLConversion::ToPolyData(cloud.Points, cloud.GetData(), cloud.GetSize(), cloud.Origin,
+        cloud.Orientation, output, this->RemoveInvalidPoints);
       this->UpdateProgress(1.0);
     }
   }

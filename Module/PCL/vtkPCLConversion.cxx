@@ -165,18 +165,22 @@ vtkSmartPointer<vtkUnsignedCharArray> GatherColors(
   colors->SetName(components == 4 ? "RGBA" : "RGB");
   colors->SetNumberOfComponents(components);
   colors->SetNumberOfTuples(rows.Count);
-  unsigned char* to = colors->GetPointer(0);
-  for (vtkIdType row = 0; row < rows.Count; ++row, to += components)
-  {
-    const auto packed = Load<std::uint32_t>(rows.Point(row) + offset);
-    to[0] = static_cast<unsigned char>(packed >> 16);
-    to[1] = static_cast<unsigned char>(packed >> 8);
-    to[2] = static_cast<unsigned char>(packed);
-    if (components == 4)
+  vtkSMPTools::For(0, rows.Count,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      to[3] = static_cast<unsigned char>(packed >> 24);
-    }
-  }
+      unsigned char* to = colors->GetPointer(components * begin);
+      for (vtkIdType row = begin; row < end; ++row, to += components)
+      {
+        const auto packed = Load<std::uint32_t>(rows.Point(row) + offset);
+        to[0] = static_cast<unsigned char>(packed >> 16);
+        to[1] = static_cast<unsigned char>(packed >> 8);
+        to[2] = static_cast<unsigned char>(packed);
+        if (components == 4)
+        {
+          to[3] = static_cast<unsigned char>(packed >> 24);
+        }
+      }
+    });
   return colors;
 }
 
@@ -327,17 +331,26 @@ void vtkPCLConversion::Read(
 void vtkPCLConversion::ToPolyData(const pcl::PCLPointCloud2& cloud, const Eigen::Vector4f& origin,
   const Eigen::Quaternionf& orientation, vtkPolyData* output, bool removeInvalidPoints)
 {
+  ToPolyData(
+    cloud, cloud.data.data(), cloud.data.size(), origin, orientation, output, removeInvalidPoints);
+}
+
+//------------------------------------------------------------------------------
+void vtkPCLConversion::ToPolyData(const pcl::PCLPointCloud2& cloud, const unsigned char* data,
+  std::size_t size, const Eigen::Vector4f& origin, const Eigen::Quaternionf& orientation,
+  vtkPolyData* output, bool removeInvalidPoints)
+{
   Layout layout;
   layout.Fields = cloud.fields;
   layout.Step = cloud.point_step;
   layout.Width = cloud.width;
   layout.Height = cloud.height;
-  if (cloud.data.size() / std::max<std::size_t>(layout.Step, 1) <
+  if (size / std::max<std::size_t>(layout.Step, 1) <
     static_cast<std::size_t>(layout.Width) * layout.Height)
   {
     throw std::invalid_argument("the cloud has fewer data than its width and height ask for");
   }
-  Read(layout, cloud.data.data(), output, removeInvalidPoints);
+  Read(layout, data, output, removeInvalidPoints);
   WriteViewpoint(origin, orientation, output);
 }
 

@@ -5,13 +5,12 @@
  *
  * Both ways by the names of PCL's fields, for any point type that is registered with PCL:
  *
- * | fields                         | in vtkPolyData | | ------------------------------ |
- * ------------------------------------------------------------- | | x, y, z | the points, float or
- * double                                   | | normal_x, normal_y, normal_z   | `Normals`, the
- * active normals                                 | | rgb                            | `RGB`, 3
- * unsigned chars, the active scalars                   | | rgba                           | `RGBA`,
- * 4 unsigned chars, the active scalars (*)              | | any other (intensity, curvature,
- * radius, label...) | an array of its name, type and count      | | "_" | left out: it is padding |
+ * - x, y, z: the points, float or double
+ * - normal_x, normal_y, normal_z: `Normals`, the active normals
+ * - rgb: `RGB`, 3 unsigned chars, the active scalars
+ * - rgba: `RGBA`, 4 unsigned chars, the active scalars (*)
+ * - any other (intensity, curvature, radius, label...): an array of its name, type and count
+ * - "_": left out, as it is padding
  *
  * (*) `RGB` where no point has an opacity, as writers leave it that know none.
  *
@@ -69,6 +68,14 @@ public:
    */
   static void ToPolyData(const pcl::PCLPointCloud2& cloud, const Eigen::Vector4f& origin,
     const Eigen::Quaternionf& orientation, vtkPolyData* output, bool removeInvalidPoints = false);
+
+  /**
+   * The same with the points in `size` bytes elsewhere, as in a file that is mapped, and not in the
+   * cloud's own data.
+   */
+  static void ToPolyData(const pcl::PCLPointCloud2& cloud, const unsigned char* data,
+    std::size_t size, const Eigen::Vector4f& origin, const Eigen::Quaternionf& orientation,
+    vtkPolyData* output, bool removeInvalidPoints = false);
 
   /**
    * The points and arrays of a polydata as a cloud of a point type, values cast to the types of its
