@@ -11,11 +11,11 @@ set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}"
 option(BUILD_SHARED_LIBS "Build a shared library" ON)
 option(POINTSURFACE_WRAP_PYTHON "Build the Python package pointsurface" ON)
 
-set(vtk_modules CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem FiltersPoints RenderingCore
-  RenderingOpenGL2 RenderingUI eigen)
+set(vtk_modules CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem FiltersCore FiltersPoints
+  ParallelCore RenderingCore RenderingOpenGL2 RenderingUI eigen)
 find_package(VTK 9.1 REQUIRED
   COMPONENTS ${vtk_modules}
-  OPTIONAL_COMPONENTS Python WrappingPythonCore FiltersCore FiltersGeneral FiltersGeometry FiltersSources IOImage
+  OPTIONAL_COMPONENTS Python WrappingPythonCore FiltersGeneral FiltersGeometry FiltersSources IOImage
     IOXML ImagingCore ImagingHybrid InteractionStyle RenderingFreeType TestingCore TestingRendering)
 
 file(STRINGS PointSurface.module module REGEX "^[^#]")

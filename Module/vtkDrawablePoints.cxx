@@ -131,6 +131,7 @@ void vtkDrawablePoints::SelectPoints(vtkPolyData* input)
   double upper[3] = { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
   std::vector<vtkIdType> faulty;
   vtkIdType drawn = 0;
+  this->Duplicates.clear();
   for (vtkIdType id = 0; id < count; ++id)
   {
     double x[3];
@@ -139,6 +140,11 @@ void vtkDrawablePoints::SelectPoints(vtkPolyData* input)
     if (!finite)
     {
       faulty.push_back(id);
+    }
+    if (ghosts && (ghosts->GetValue(id) & vtkDataSetAttributes::DUPLICATEPOINT))
+    {
+      this->Duplicates.resize(count);
+      this->Duplicates[id] = 255;
     }
     const bool hidden = ghosts && (ghosts->GetValue(id) & vtkDataSetAttributes::HIDDENPOINT);
     if (!finite || hidden)

@@ -111,6 +111,12 @@ public:
   vtkMTimeType GetDrawnIdsTime() const { return this->DrawnIdsTime; }
   vtkIdType GetNumberOfDrawnPoints() const { return this->NumberOfDrawnPoints; }
 
+  /**
+   * For each point of the input 255 where another process has it too (vtkGhostType has
+   * DUPLICATEPOINT), else 0; empty where there are none of these.
+   */
+  const std::vector<unsigned char>& GetDuplicates() const { return this->Duplicates; }
+
   ///@{
   /**
    * The order of space, which the cloud is in; and an array with a tuple for each point of the
@@ -168,6 +174,7 @@ private:
   std::vector<unsigned int> DrawnIds;
   vtkTimeStamp DrawnIdsTime;
   vtkIdType NumberOfDrawnPoints = 0;
+  std::vector<unsigned char> Duplicates;
   double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
   vtkSpatialOrder Order;
   vtkSmartPointer<vtkPoints> OrderedPoints;

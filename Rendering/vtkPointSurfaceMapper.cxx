@@ -4,6 +4,7 @@
 #include "vtkContextNeeds.h"
 #include "vtkDrawablePoints.h"
 #include "vtkDrawnClouds.h"
+#include "vtkDuplicatePoints.h"
 #include "vtkEyeFrame.h"
 #include "vtkJointSurface.h"
 #include "vtkKeptArray.h"
@@ -110,7 +111,9 @@ public:
   std::vector<vtkJointSurface::Member> Projected; // the clouds that ProjectPoints() projects
   int PointRange[2] = { 0, VTK_INT_MAX };         // ids that are shaded of the current buffer
   unsigned long UseCount = 0;
+  vtkDuplicatePoints Duplicates;
   std::vector<vtkSurfaceTarget::Layer> ShadedLayers; // that the shading program was made for
+  bool ShadedDuplicates = false;
   vtkTimeStamp ShadedLayersTime;
   int WarnedViewport[2] = { 0, 0 }; // for which a lower supersampling has been told
   int ViewportOrigin[2] = { 0, 0 };
@@ -206,6 +209,7 @@ void vtkPointSurfaceMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Internals->Samples.ReleaseGraphicsResources(window);
   this->Internals->Resolve.ReleaseGraphicsResources();
   this->Internals->Coverage.ReleaseGraphicsResources();
+  this->Internals->Duplicates.ReleaseGraphicsResources(window);
   for (auto& timer : this->Internals->Timers)
   {
     timer.ReleaseGraphicsResources();
@@ -875,6 +879,11 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(
   return view;
 }
 
+bool vtkPointSurfaceMapper::HasDuplicates() const
+{
+  return !this->Internals->Points.GetDuplicates().empty();
+}
+
 //------------------------------------------------------------------------------
 bool vtkPointSurfaceMapper::BeginsFrame() const
 {
@@ -941,7 +950,7 @@ void vtkPointSurfaceMapper::FindOrMakeSurfaceBuffer(
   vtkRenderer* renderer, const vtkPointSurfaceView& view)
 {
   vtkInternals& internals = *this->Internals;
-  const bool needsIds = this->RecordPointIds || renderer->GetSelector();
+  const bool needsIds = this->RecordPointIds || renderer->GetSelector() || this->HasDuplicates();
   vtkInternals::SurfaceBuffer* surface = internals.Find(view);
   const bool holds = surface && (!needsIds || surface->Target.Has(vtkSurfaceTarget::Id));
   if (!surface)
@@ -1211,9 +1220,11 @@ void vtkPointSurfaceMapper::ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* 
 {
   vtkInternals& internals = *this->Internals;
   vtkSurfaceTarget& target = internals.Current->Target;
-  if (internals.ShadedLayers != target.GetLayers())
+  const bool duplicates = this->HasDuplicates();
+  if (internals.ShadedLayers != target.GetLayers() || internals.ShadedDuplicates != duplicates)
   {
     internals.ShadedLayers = target.GetLayers();
+    internals.ShadedDuplicates = duplicates;
     internals.ShadedLayersTime.Modified();
   }
 
@@ -1222,6 +1233,11 @@ void vtkPointSurfaceMapper::ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* 
   helper.IBO->IndexCount = 3; // or VTK forgets when it has set the attributes
   target.Activate();
   internals.Current->Splats.Activate();
+  if (duplicates)
+  {
+    internals.Duplicates.Activate(
+      internals.Window, internals.Points.GetDuplicates(), internals.PointsTime.GetMTime());
+  }
   this->UpdateShaders(helper, renderer, actor);
   if (helper.Program)
   {
@@ -1239,6 +1255,10 @@ void vtkPointSurfaceMapper::ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* 
     }
     helper.VAO->Bind();
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  }
+  if (duplicates)
+  {
+    internals.Duplicates.Deactivate();
   }
   internals.Current->Splats.Deactivate();
   target.Deactivate();
@@ -1264,7 +1284,8 @@ void vtkPointSurfaceMapper::ReplaceShaderValues(
 {
   vtkShader* fragment = shaders[vtkShader::Fragment];
   std::string text = fragment->GetSource();
-  vtkSurfaceBufferShading::Prepare(text, this->Internals->ShadedLayers);
+  vtkSurfaceBufferShading::Prepare(
+    text, this->Internals->ShadedLayers, this->Internals->ShadedDuplicates);
   fragment->SetSource(text);
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
   text = fragment->GetSource();
@@ -1285,6 +1306,11 @@ void vtkPointSurfaceMapper::SetMapperShaderParameters(
   if (program->IsUniformUsed("psPoints"))
   {
     program->SetUniform2i("psPoints", this->Internals->PointRange);
+  }
+  if (this->Internals->ShadedDuplicates)
+  {
+    this->Internals->Duplicates.SetSampler(program, "psDuplicates");
+    program->SetUniformf("psRecess", static_cast<float>(view.LargestRadius));
   }
   program->SetUniformi("psHasCoverage", this->Internals->Current->HasCoverage);
   const auto pixels = view.GetPixelRectangle();

@@ -27,8 +27,13 @@
  * The input may also be a tree of point sets (vtkMultiBlockDataSet, vtkPartitionedDataSet,
  * vtkPartitionedDataSetCollection), with what vtkCompositePolyDataMapper2 offers for its blocks:
  * visibility, pickability, colour and opacity of each. All opaque blocks are reconstructed as one
- * cloud, so that they close each other's gaps, and so are all translucent ones. Points that a ghost
- * array hides are not drawn.
+ * cloud, so that they close each other's gaps, and so are all translucent ones.
+ *
+ * Of points with a ghost array (vtkGhostType) those are not drawn that it hides (HIDDENPOINT).
+ * Copies of another process' points (DUPLICATEPOINT, as vtkGhostPointsGenerator makes them) take
+ * part in the surface, but the pixels that come from them lie behind those of the process that has
+ * the points: where pictures are put together by depth, each pixel is that of a process that knows
+ * all around it.
  *
  * @sa vtkPullPushMapper vtkSurfaceSplatMapper vtkPointSpacing vtkPointNormals vtkIsosurfacePoints
  */
@@ -437,6 +442,7 @@ private:
   void SetJointSurface(vtkJointSurface* joint);
   void MakeJointSurface(const vtkJointSurface& joint);
   bool BeginsFrame() const;
+  bool HasDuplicates() const;
   // Whether this call of VTK's was for the cloud to join, not to be drawn.
   bool JoinSurface(vtkActor* actor, const vtkPointSurfaceView& view);
   bool FindJointSurface(const vtkPointSurfaceView& view);

@@ -57,11 +57,11 @@ std::string GetAssignments(const std::string& text)
 }
 
 void vtkSurfaceBufferShading::Prepare(
-  std::string& fragmentShader, const std::vector<vtkSurfaceTarget::Layer>& layers)
+  std::string& fragmentShader, const std::vector<vtkSurfaceTarget::Layer>& layers, bool duplicates)
 {
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::CustomUniforms::Dec",
     "//VTK::CustomUniforms::Dec\n" + vtkSurfaceTarget::GetInputDeclarations(layers, "ps") +
-      vtkSurfaceBufferDec);
+      (duplicates ? "#define HAS_DUPLICATES\n" : "") + vtkSurfaceBufferDec);
   vtkShaderProgram::Substitute(
     fragmentShader, "//VTK::PositionVC::Impl", std::string(Marker) + "\n  //VTK::PositionVC::Impl");
   vtkShaderProgram::Substitute(

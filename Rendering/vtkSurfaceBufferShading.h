@@ -21,9 +21,11 @@ namespace vtkSurfaceBufferShading
 {
 /**
  * Adds the declarations for a surface buffer with these layers, a marker for the fetch, and the
- * discard of empty pixels.
+ * discard of empty pixels. With `duplicates`, which takes the layer Id, pixels of points that other
+ * processes have too lie somewhat farther away (vtkDuplicatePoints).
  */
-void Prepare(std::string& fragmentShader, const std::vector<vtkSurfaceTarget::Layer>& layers);
+void Prepare(
+  std::string& fragmentShader, const std::vector<vtkSurfaceTarget::Layer>& layers, bool duplicates);
 
 /**
  * Turns varyings into globals, sets them at the marker, and writes the depth if nobody does.

@@ -15,6 +15,10 @@ bool psFrontFacing;        // stands for gl_FrontFacing
 uniform ivec2 psPoints;    // from the first id of this cloud's to the one past the last
 int psPoint;               // stands for gl_PrimitiveID; -1 where there is no surface
 vec4 psVertexVC;
+#ifdef HAS_DUPLICATES
+uniform samplerBuffer psDuplicates; // see vtkDuplicatePoints
+uniform float psRecess;             // how far behind its place a pixel of theirs is drawn
+#endif
 
 // Whether a normal that points a little away from the viewer leans to where the surface ends or
 // recedes: then it is that of the front, past an outline, and not that of the back.

@@ -20,6 +20,15 @@
   psVertexVC = psEyeToView * psEye;
   psFragCoordZ = psPoint < 0 ? 1.0 : 0.5 * (psVCDC * psEye).z / psW + 0.5;
   psFragCoordW = 1.0 / psW;
+#ifdef HAS_DUPLICATES
+  if (psPoint >= 0 && texelFetch(psDuplicates, psPoint >> 2)[psPoint & 3] > 0.0)
+  {
+    // Another process draws this pixel, with all that is around it, and has to come out in front.
+    // Only where each takes the pixel for the other's this one is seen.
+    vec4 psBehind = psVCDC * (psEye - vec4(0.0, 0.0, psRecess, 0.0));
+    psFragCoordZ = 0.5 * psBehind.z / psBehind.w + 0.5;
+  }
+#endif
   vec3 psToViewer = psVCDC[2][3] == 0.0 ? vec3(0.0, 0.0, 1.0) : -normalize(psEye.xyz);
   float psFacing = dot(normalize(psGeometry.xyz), psToViewer);
   psFrontFacing = psFacing >= 0.0;

@@ -1,0 +1,432 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGhostPointsGenerator.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkBoundingBox.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPointSpacing.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnsignedIntArray.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+vtkStandardNewMacro(vtkGhostPointsGenerator);
+vtkCxxSetObjectMacro(vtkGhostPointsGenerator, Controller, vtkMultiProcessController);
+
+namespace
+{
+constexpr int Tag = 7120;
+
+using Piece = vtkSmartPointer<vtkPolyData>;
+using Pieces = std::vector<Piece>; // of a rank, one a leaf; null where it has no points
+
+bool IsFinite(const double x[3])
+{
+  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+}
+
+double Distance2(const vtkBoundingBox& box, const double x[3])
+{
+  double sum = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double outside =
+      std::max({ box.GetMinPoint()[axis] - x[axis], x[axis] - box.GetMaxPoint()[axis], 0.0 });
+    sum += outside * outside;
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+// Trees and single pieces alike.
+vtkSmartPointer<vtkDataObjectTreeIterator> IterateLeaves(vtkDataObjectTree* tree)
+{
+  vtkSmartPointer<vtkDataObjectTreeIterator> leaf;
+  leaf.TakeReference(tree->NewTreeIterator());
+  leaf->SkipEmptyNodesOff(); // a leaf may be empty here and not elsewhere
+  leaf->InitTraversal();
+  return leaf;
+}
+
+// A copy with arrays that tell of each point that it is this rank's own.
+Piece Own(vtkDataObject* data, int rank)
+{
+  auto* piece = vtkPolyData::SafeDownCast(data);
+  if (!piece || piece->GetNumberOfPoints() == 0)
+  {
+    return nullptr;
+  }
+  auto own = Piece::New();
+  own->ShallowCopy(piece);
+  const char* ghostType = vtkDataSetAttributes::GhostArrayName();
+  auto* known = vtkUnsignedCharArray::SafeDownCast(own->GetPointData()->GetArray(ghostType));
+  if (!known || known->GetNumberOfTuples() != piece->GetNumberOfPoints())
+  {
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(ghostType);
+    ghosts->SetNumberOfTuples(piece->GetNumberOfPoints());
+    ghosts->Fill(0);
+    own->GetPointData()->AddArray(ghosts);
+  }
+  vtkNew<vtkUnsignedIntArray> processes;
+  processes->SetName("vtkProcessId");
+  processes->SetNumberOfTuples(piece->GetNumberOfPoints());
+  processes->Fill(rank);
+  own->GetPointData()->AddArray(processes);
+  return own;
+}
+
+Pieces OwnPieces(vtkDataObject* data, int rank)
+{
+  Pieces pieces;
+  if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
+  {
+    for (auto leaf = IterateLeaves(tree); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      pieces.push_back(Own(leaf->GetCurrentDataObject(), rank));
+    }
+    return pieces;
+  }
+  return { Own(data, rank) };
+}
+
+void PutPieces(const Pieces& pieces, vtkDataObject* data)
+{
+  if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
+  {
+    auto piece = pieces.begin();
+    for (auto leaf = IterateLeaves(tree); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      if (*piece)
+      {
+        tree->SetDataSetFrom(leaf, *piece);
+      }
+      ++piece;
+    }
+  }
+  else if (pieces[0])
+  {
+    data->ShallowCopy(pieces[0]);
+  }
+}
+
+vtkBoundingBox FindBox(const Pieces& pieces)
+{
+  vtkBoundingBox box;
+  for (vtkPolyData* piece : pieces)
+  {
+    for (vtkIdType id = 0; piece && id < piece->GetNumberOfPoints(); ++id)
+    {
+      double x[3];
+      piece->GetPoint(id, x);
+      if (IsFinite(x))
+      {
+        box.AddPoint(x);
+      }
+    }
+  }
+  return box;
+}
+
+//------------------------------------------------------------------------------
+// The radii of a piece as the mappers take them.
+class Radii
+{
+public:
+  Radii(vtkPolyData* piece, const std::string& name, double constant)
+    : Usual(constant)
+  {
+    this->Array = name.empty() ? nullptr : piece->GetPointData()->GetArray(name.c_str());
+    if (this->Array || constant > 0.0)
+    {
+      return;
+    }
+    this->Array = piece->GetPointData()->GetArray("radius");
+    if (!this->Array)
+    {
+      vtkNew<vtkPointSpacing> spacing;
+      spacing->SetInputData(piece);
+      spacing->Update();
+      this->Array = spacing->GetOutput()->GetPointData()->GetArray("radius");
+    }
+  }
+
+  double Get(vtkIdType id) const
+  {
+    return this->Array ? this->Array->GetComponent(id, 0) : this->Usual;
+  }
+
+private:
+  vtkSmartPointer<vtkDataArray> Array;
+  double Usual;
+};
+
+// The points of a piece that each of the other ranks needs.
+std::vector<vtkSmartPointer<vtkIdList>> FindNear(vtkPolyData* piece, const Radii& radii,
+  double reach, const std::vector<vtkBoundingBox>& boxes, int rank)
+{
+  std::vector<vtkSmartPointer<vtkIdList>> near(boxes.size());
+  for (auto& ids : near)
+  {
+    ids = vtkSmartPointer<vtkIdList>::New();
+  }
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+    piece->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  for (vtkIdType id = 0; id < piece->GetNumberOfPoints(); ++id)
+  {
+    double x[3];
+    piece->GetPoint(id, x);
+    if (ghosts->GetValue(id) || !IsFinite(x))
+    {
+      continue;
+    }
+    const double distance = reach * radii.Get(id);
+    for (std::size_t other = 0; other < boxes.size(); ++other)
+    {
+      if (static_cast<int>(other) != rank && boxes[other].IsValid() &&
+        Distance2(boxes[other], x) <= distance * distance)
+      {
+        near[other]->InsertNextId(id);
+      }
+    }
+  }
+  return near;
+}
+
+Piece Extract(vtkPolyData* piece, vtkIdList* ids)
+{
+  auto part = Piece::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(piece->GetPoints()->GetDataType());
+  piece->GetPoints()->GetPoints(ids, points);
+  part->SetPoints(points);
+  vtkPointData* data = part->GetPointData();
+  data->CopyAllOn();
+  data->CopyAllocate(piece->GetPointData(), ids->GetNumberOfIds());
+  vtkNew<vtkIdList> places;
+  places->SetNumberOfIds(ids->GetNumberOfIds());
+  std::iota(places->begin(), places->end(), 0);
+  data->CopyData(piece->GetPointData(), ids, places);
+  vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkDataSetAttributes::GhostArrayName()))
+    ->Fill(vtkDataSetAttributes::DUPLICATEPOINT);
+  return part;
+}
+
+// What a rank has to send or gets: how many points of each leaf, by rank and leaf.
+class Counts
+{
+public:
+  Counts(int ranks, std::size_t leaves)
+    : Leaves(leaves)
+    , Values(ranks * leaves, 0)
+  {
+  }
+  vtkIdType& At(int rank, std::size_t leaf) { return this->Values[rank * this->Leaves + leaf]; }
+
+  // What the others have for this rank, by rank and leaf.
+  Counts Exchange(vtkMultiProcessController* controller) const
+  {
+    const auto ranks = static_cast<std::size_t>(controller->GetNumberOfProcesses());
+    std::vector<vtkIdType> all(ranks * this->Values.size());
+    controller->AllGather(
+      this->Values.data(), all.data(), static_cast<vtkIdType>(this->Values.size()));
+    Counts received(static_cast<int>(ranks), this->Leaves);
+    for (std::size_t from = 0; from < ranks; ++from)
+    {
+      const auto first =
+        all.begin() + (from * ranks + controller->GetLocalProcessId()) * this->Leaves;
+      std::copy(first, first + this->Leaves, received.Values.begin() + from * this->Leaves);
+    }
+    return received;
+  }
+
+private:
+  std::size_t Leaves;
+  std::vector<vtkIdType> Values;
+};
+
+// Sends parts to a rank, or receives parts from it.
+void SendParts(vtkMultiProcessController* controller, int to, const Pieces& parts)
+{
+  for (vtkPolyData* part : parts)
+  {
+    if (part)
+    {
+      controller->Send(part, to, Tag);
+    }
+  }
+}
+
+void ReceiveParts(
+  vtkMultiProcessController* controller, int from, Counts& counts, std::vector<Pieces>& parts)
+{
+  for (std::size_t leaf = 0; leaf < parts.size(); ++leaf)
+  {
+    if (counts.At(from, leaf) > 0)
+    {
+      auto part = Piece::New();
+      controller->Receive(part, from, Tag);
+      parts[leaf].push_back(part);
+    }
+  }
+}
+
+Piece Append(vtkPolyData* own, const Pieces& parts)
+{
+  vtkNew<vtkAppendPolyData> append;
+  if (own)
+  {
+    append->AddInputData(own);
+  }
+  for (vtkPolyData* part : parts)
+  {
+    append->AddInputData(part);
+  }
+  append->Update();
+  Piece all = append->GetOutput();
+  if (own)
+  {
+    all->GetFieldData()->ShallowCopy(own->GetFieldData());
+  }
+  return all;
+}
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+vtkGhostPointsGenerator::vtkGhostPointsGenerator()
+{
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+//------------------------------------------------------------------------------
+vtkGhostPointsGenerator::~vtkGhostPointsGenerator()
+{
+  this->SetController(nullptr);
+}
+
+//------------------------------------------------------------------------------
+int vtkGhostPointsGenerator::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkGhostPointsGenerator::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  output->ShallowCopy(input);
+  this->NumberOfGhostPoints = 0;
+  const int ranks = this->Controller ? this->Controller->GetNumberOfProcesses() : 1;
+  if (ranks < 2)
+  {
+    return 1;
+  }
+
+  // The boxes of all ranks.
+  const int rank = this->Controller->GetLocalProcessId();
+  Pieces pieces = OwnPieces(input, rank);
+  const std::size_t leaves = pieces.size();
+  std::array<double, 7> domain;
+  FindBox(pieces).GetBounds(domain.data());
+  domain[6] = static_cast<double>(leaves);
+  std::vector<double> domains(7 * ranks);
+  this->Controller->AllGather(domain.data(), domains.data(), 7);
+  std::vector<vtkBoundingBox> boxes;
+  for (int other = 0; other < ranks; ++other)
+  {
+    boxes.emplace_back(&domains[7 * other]);
+    if (domains[7 * other + 6] != domain[6])
+    {
+      vtkErrorMacro("The trees of rank " << rank << " and rank " << other << " have " << domain[6]
+                                         << " and " << domains[7 * other + 6]
+                                         << " leaves; no points are exchanged. Give all ranks the "
+                                            "same tree, with empty leaves.");
+      return 1; // as all ranks do
+    }
+  }
+  this->UpdateProgress(0.1);
+
+  // What goes to which rank.
+  std::vector<Pieces> toSend(ranks, Pieces(leaves));
+  Counts sent(ranks, leaves);
+  for (std::size_t leaf = 0; leaf < leaves; ++leaf)
+  {
+    if (!pieces[leaf])
+    {
+      continue;
+    }
+    const Radii radii(pieces[leaf], this->RadiusArray, this->Radius);
+    const auto near = FindNear(pieces[leaf], radii, this->Reach, boxes, rank);
+    for (int other = 0; other < ranks; ++other)
+    {
+      sent.At(other, leaf) = near[other]->GetNumberOfIds();
+      if (near[other]->GetNumberOfIds() > 0)
+      {
+        toSend[other][leaf] = Extract(pieces[leaf], near[other]);
+      }
+    }
+  }
+  Counts received = sent.Exchange(this->Controller);
+  this->UpdateProgress(0.5);
+
+  // Pairs of ranks in one order on all of them, so that no rank waits for one that waits for it.
+  std::vector<Pieces> ghosts(leaves);
+  for (int other = 0; other < ranks; ++other)
+  {
+    if (rank < other)
+    {
+      SendParts(this->Controller, other, toSend[other]);
+    }
+    if (rank != other)
+    {
+      ReceiveParts(this->Controller, other, received, ghosts);
+    }
+    if (rank > other)
+    {
+      SendParts(this->Controller, other, toSend[other]);
+    }
+  }
+  this->UpdateProgress(0.8);
+
+  for (std::size_t leaf = 0; leaf < leaves; ++leaf)
+  {
+    for (vtkPolyData* part : ghosts[leaf])
+    {
+      this->NumberOfGhostPoints += part->GetNumberOfPoints();
+    }
+    if (!ghosts[leaf].empty())
+    {
+      pieces[leaf] = Append(pieces[leaf], ghosts[leaf]);
+    }
+  }
+  PutPieces(pieces, output);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkGhostPointsGenerator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Controller: " << this->Controller << "\n";
+  os << indent << "Reach: " << this->Reach << "\n";
+  os << indent << "RadiusArray: " << (this->RadiusArray.empty() ? "(none)" : this->RadiusArray)
+     << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "NumberOfGhostPoints: " << this->NumberOfGhostPoints << "\n";
+}

@@ -1,0 +1,257 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkGhostPointsGenerator: what ranks give each other, and that their pictures, put together by depth, are that of the
+whole cloud. Run as a program, with a folder for its output, this file is one rank of an MPI run over loopback."""
+
+import os
+import shutil
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from scenes import MAPPERS, Scene, input_of, torus_cloud
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkMultiBlockDataSet, vtkPolyData
+
+from pointsurface import vtkDirectPointMapper, vtkGhostPointsGenerator
+
+RANKS = 3
+EMPTY = RANKS  # one rank more has no points
+BORDERS = [-np.inf, -0.35, 0.6, np.inf]  # in x: regions of unlike sizes
+REACH = 3.0
+
+
+def rank_of(points):
+    return np.searchsorted(BORDERS, points[:, 0]) - 1
+
+
+def whole_of(mapper_class):
+    """What a mapper draws, its points numbered; radii vary by half."""
+    cloud = torus_cloud(8000)
+    radii = vtk_to_numpy(cloud.GetPointData().GetArray("radius"))
+    radii *= 1 + 0.5 * (np.arange(len(radii)) % 2)
+    data = input_of(mapper_class, cloud)
+    data.GetPointData().AddArray(numpy_to_vtk(np.arange(data.GetNumberOfPoints()), deep=True))
+    data.GetPointData().GetArray(data.GetPointData().GetNumberOfArrays() - 1).SetName("number")
+    return data
+
+
+def numpy_of(data, name):
+    return vtk_to_numpy(data.GetPointData().GetArray(name))
+
+
+def positions(data):
+    return vtk_to_numpy(data.GetPoints().GetData())
+
+
+def part_of(data, chosen):
+    ids = vtkIdList()
+    for i in np.nonzero(chosen)[0]:
+        ids.InsertNextId(i)
+    part = vtkPolyData()
+    part.SetPoints(vtkPoints())
+    data.GetPoints().GetPoints(ids, part.GetPoints())
+    places = vtkIdList()
+    for i in range(ids.GetNumberOfIds()):
+        places.InsertNextId(i)
+    part.GetPointData().CopyAllOn()
+    part.GetPointData().CopyAllocate(data.GetPointData(), ids.GetNumberOfIds())
+    part.GetPointData().CopyData(data.GetPointData(), ids, places)
+    return part
+
+
+def with_ghosts(data, errors=None):
+    generator = vtkGhostPointsGenerator()
+    generator.SetInputData(data)
+    generator.SetReach(REACH)
+    if errors is not None:
+        generator.AddObserver("ErrorEvent", lambda *_: errors.append(1))
+    generator.Update()
+    return generator.GetOutputDataObject(0), generator.GetNumberOfGhostPoints()
+
+
+# ------------------------------------------------------------------------------
+# one rank
+
+
+def run_rank(folder):
+    from mpi4py import MPI  # noqa: F401, starts MPI, which vtkMPIController expects here
+    from vtkmodules.vtkParallelCore import vtkMultiProcessController
+    from vtkmodules.vtkParallelMPI import vtkMPIController
+
+    controller = vtkMPIController()
+    controller.Initialize()
+    vtkMultiProcessController.SetGlobalController(controller)
+    rank = controller.GetLocalProcessId()
+    results = {}
+
+    def keep(name, data):
+        results[name + "/count"] = data.GetNumberOfPoints()
+        if data.GetNumberOfPoints():
+            results[name + "/points"] = positions(data)
+            results[name + "/normals"] = vtk_to_numpy(data.GetPointData().GetNormals())
+            for array_name in ("number", "radius", "vtkGhostType", "vtkProcessId"):
+                results[f"{name}/{array_name}"] = numpy_of(data, array_name)
+
+    for mapper_class in MAPPERS:
+        whole = whole_of(mapper_class)
+        own = part_of(whole, rank_of(positions(whole)) == rank)
+        output, ghosts = with_ghosts(own)
+        if mapper_class is MAPPERS[0]:
+            keep("cloud", output)
+            results["ghosts"] = ghosts
+        scene = Scene(mapper_class, whole)
+        for name, data in (("with", output), ("without", own)):
+            scene.mapper.SetInputData(data)
+            results[f"{mapper_class.__name__}/{name}/color"] = scene.color()
+            results[f"{mapper_class.__name__}/{name}/depth"] = scene.depth()
+
+    # Trees: the upper half of the torus is a block, the lower one another; rank 1 has no upper one.
+    whole = whole_of(MAPPERS[0])
+    upper = positions(whole)[:, 2] > 0
+    tree = vtkMultiBlockDataSet()
+    tree.SetNumberOfBlocks(2)
+    ours = rank_of(positions(whole)) == rank
+    if rank != 1:
+        tree.SetBlock(0, part_of(whole, ours & upper))
+    tree.SetBlock(1, part_of(whole, ours & ~upper))
+    output, _ = with_ghosts(tree)
+    for block in range(2):
+        if output.GetBlock(block):
+            keep(f"block{block}", output.GetBlock(block))
+
+    # Trees that differ.
+    if rank == 0:
+        tree.SetNumberOfBlocks(3)
+    errors = []
+    output, ghosts = with_ghosts(tree, errors)
+    results["differing"] = len(errors), ghosts, output.GetNumberOfPoints() - tree.GetNumberOfPoints()
+
+    np.savez(os.path.join(folder, f"rank{rank}.npz"), **results)
+    controller.Finalize()
+
+
+if __name__ == "__main__":
+    run_rank(sys.argv[1])
+    sys.exit()
+
+
+# ------------------------------------------------------------------------------
+# the tests
+
+
+@pytest.fixture(scope="module")
+def ranks(tmp_path_factory):
+    """The output of each rank."""
+    pytest.importorskip("vtkmodules.vtkParallelMPI", reason="this VTK is built without MPI")
+    pytest.importorskip("mpi4py")
+    mpiexec = shutil.which("mpiexec")
+    if not mpiexec:
+        pytest.skip("there is no mpiexec")
+    folder = tmp_path_factory.mktemp("ranks")
+    environment = dict(
+        os.environ,
+        OMPI_ALLOW_RUN_AS_ROOT="1",
+        OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+        OMPI_MCA_rmaps_base_oversubscribe="1",
+        OMPI_MCA_btl="self,tcp",
+        OMPI_MCA_btl_tcp_if_include="lo",
+    )
+    command = [mpiexec, "-n", str(RANKS + 1), sys.executable, os.path.abspath(__file__), str(folder)]
+    run = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=300)
+    assert run.returncode == 0, run.stdout + run.stderr
+    return [np.load(folder / f"rank{rank}.npz") for rank in range(RANKS + 1)]
+
+
+def needed(points, owner, radii, rank):
+    """The numbers of the points that a rank needs of others: those within reach of its box."""
+    own = points[owner == rank]
+    outside = np.maximum(np.maximum(own.min(axis=0) - points, points - own.max(axis=0)), 0)
+    near = np.linalg.norm(outside, axis=1) <= REACH * radii
+    return np.nonzero(near & (owner != rank))[0]
+
+
+def check_ghosts(result, name, whole, own, ghosts):
+    """That a rank has its own points, as they were and first, and the ghosts."""
+    number = result[name + "/number"]
+    count = len(own)
+    assert (number[:count] == own).all()
+    assert len(number) == len(set(number))
+    assert set(number[count:]) == set(ghosts)
+    assert (result[name + "/vtkGhostType"] == np.where(np.arange(len(number)) < count, 0,
+                                                       vtkDataSetAttributes.DUPLICATEPOINT)).all()
+    assert (result[name + "/vtkProcessId"] == rank_of(positions(whole))[number]).all()
+    assert result[name + "/vtkProcessId"].dtype == np.uint32
+    assert (result[name + "/points"] == positions(whole)[number]).all()
+    assert (result[name + "/normals"] == vtk_to_numpy(whole.GetPointData().GetNormals())[number]).all()
+    assert (result[name + "/radius"] == numpy_of(whole, "radius")[number]).all()
+
+
+def test_ranks_get_the_points_near_them(ranks):
+    whole = whole_of(MAPPERS[0])
+    points, radii = positions(whole), numpy_of(whole, "radius")
+    owner = rank_of(points)
+    for rank in range(RANKS):
+        ghosts = needed(points, owner, radii, rank)
+        assert 100 < len(ghosts) < 0.3 * len(points)
+        check_ghosts(ranks[rank], "cloud", whole, np.nonzero(owner == rank)[0], ghosts)
+        assert ranks[rank]["ghosts"] == len(ghosts)
+    assert ranks[EMPTY]["cloud/count"] == ranks[EMPTY]["ghosts"] == 0
+
+
+def test_blocks_of_a_tree(ranks):
+    """Blocks fill each other's gaps, so that what is near counts wherever in the tree it is; it stays in its block."""
+    whole = whole_of(MAPPERS[0])
+    points, radii = positions(whole), numpy_of(whole, "radius")
+    owner = rank_of(points)
+    upper = points[:, 2] > 0
+    owner[upper & (owner == 1)] = -1  # that block was left out
+    for rank in range(RANKS):
+        ghosts = needed(points, owner, radii, rank)
+        ghosts = ghosts[owner[ghosts] >= 0]
+        for block, chosen in enumerate((upper, ~upper)):
+            own = np.nonzero((owner == rank) & chosen)[0]
+            check_ghosts(ranks[rank], f"block{block}", whole, own, ghosts[chosen[ghosts]])
+
+
+def test_trees_that_differ_are_an_error(ranks):
+    for result in ranks:
+        assert tuple(result["differing"]) == (1, 0, 0)
+
+
+def composite(ranks, mapper_class, name):
+    """Of each pixel what the nearest rank drew."""
+    colors = np.stack([result[f"{mapper_class.__name__}/{name}/color"] for result in ranks])
+    depths = np.stack([result[f"{mapper_class.__name__}/{name}/depth"] for result in ranks])
+    nearest = depths.argmin(axis=0)
+    rows, columns = np.indices(nearest.shape)
+    return colors[nearest, rows, columns], depths.min(axis=0)
+
+
+@pytest.mark.parametrize("mapper_class", MAPPERS)
+def test_pictures_are_that_of_the_whole(ranks, mapper_class):
+    scene = Scene(mapper_class, whole_of(mapper_class))
+    color, depth = scene.color(), scene.depth()
+    measured = {}
+    for name in ("with", "without"):
+        parallel, parallel_depth = composite(ranks, mapper_class, name)
+        covered = (depth < 1) | (parallel_depth < 1)
+        difference = 255 * np.abs(parallel - color)[covered].mean()
+        unfilled = int(((depth < 1) & (parallel_depth == 1)).sum())
+        more = int(((depth == 1) & (parallel_depth < 1)).sum())
+        measured[name] = difference, unfilled
+        print(f"{mapper_class.__name__}, {name}: {difference:.4f} grey levels, {unfilled} unfilled, {more} more")
+    if mapper_class is vtkDirectPointMapper:
+        # its image is as fine as the whole cloud is, of which a rank sees a part
+        assert measured["with"][0] < 6 and measured["with"][1] < measured["without"][1]
+        return
+    assert measured["with"][0] < 1 and measured["with"][1] == 0
+    assert measured["with"][0] < measured["without"][0]
+
+
+def test_one_process_changes_nothing():
+    cloud = torus_cloud(1000)
+    output, ghosts = with_ghosts(cloud)
+    assert ghosts == 0 and output.GetPoints() is cloud.GetPoints()
+    assert not output.GetPointData().HasArray("vtkGhostType")
