@@ -5,6 +5,8 @@
 #include "vtkBoundingBox.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -70,6 +72,9 @@ Piece Own(vtkDataObject* data, int rank)
   }
   auto own = Piece::New();
   own->ShallowCopy(piece);
+  vtkNew<vtkFieldData> fieldData; // of its own
+  fieldData->ShallowCopy(piece->GetFieldData());
+  own->SetFieldData(fieldData);
   const char* ghostType = vtkDataSetAttributes::GhostArrayName();
   auto* known = vtkUnsignedCharArray::SafeDownCast(own->GetPointData()->GetArray(ghostType));
   if (!known || known->GetNumberOfTuples() != piece->GetNumberOfPoints())
@@ -122,24 +127,6 @@ void PutPieces(const Pieces& pieces, vtkDataObject* data)
   }
 }
 
-vtkBoundingBox FindBox(const Pieces& pieces)
-{
-  vtkBoundingBox box;
-  for (vtkPolyData* piece : pieces)
-  {
-    for (vtkIdType id = 0; piece && id < piece->GetNumberOfPoints(); ++id)
-    {
-      double x[3];
-      piece->GetPoint(id, x);
-      if (IsFinite(x))
-      {
-        box.AddPoint(x);
-      }
-    }
-  }
-  return box;
-}
-
 //------------------------------------------------------------------------------
 // The radii of a piece as the mappers take them.
 class Radii
@@ -148,6 +135,10 @@ public:
   Radii(vtkPolyData* piece, const std::string& name, double constant)
     : Usual(constant)
   {
+    if (!piece)
+    {
+      return;
+    }
     this->Array = name.empty() ? nullptr : piece->GetPointData()->GetArray(name.c_str());
     if (this->Array || constant > 0.0)
     {
@@ -173,11 +164,97 @@ private:
   double Usual;
 };
 
+//------------------------------------------------------------------------------
+// Where a rank has points, and what their radii are.
+class Region
+{
+public:
+  Region(const Pieces& pieces, const std::vector<Radii>& radii)
+  {
+    for (std::size_t leaf = 0; leaf < pieces.size(); ++leaf)
+    {
+      for (vtkIdType id = 0; pieces[leaf] && id < pieces[leaf]->GetNumberOfPoints(); ++id)
+      {
+        double x[3];
+        pieces[leaf]->GetPoint(id, x);
+        if (IsFinite(x))
+        {
+          this->Box.AddPoint(x);
+        }
+        const double r = radii[leaf].Get(id);
+        if (r > 0.0 && std::isfinite(r))
+        {
+          this->Values[Sum] += r;
+          this->Values[Count] += 1.0;
+          this->Values[Largest] = std::max(this->Values[Largest], r);
+        }
+      }
+    }
+    this->Box.GetBounds(this->Values.data());
+    this->Values[Leaves] = static_cast<double>(pieces.size());
+  }
+
+  const vtkBoundingBox& GetBox() const { return this->Box; }
+  std::size_t GetNumberOfLeaves() const { return static_cast<std::size_t>(this->Values[Leaves]); }
+
+  std::vector<Region> Gather(vtkMultiProcessController* controller) const
+  {
+    std::vector<double> all(NumberOfValues * controller->GetNumberOfProcesses());
+    controller->AllGather(this->Values.data(), all.data(), NumberOfValues);
+    std::vector<Region> regions;
+    for (auto values = all.begin(); values != all.end(); values += NumberOfValues)
+    {
+      regions.emplace_back();
+      std::copy_n(values, NumberOfValues, regions.back().Values.begin());
+      regions.back().Box.SetBounds(regions.back().Values.data());
+    }
+    return regions;
+  }
+
+  // What mappers are told of the whole: bounds, the mean and the largest radius.
+  static vtkSmartPointer<vtkDoubleArray> Join(const std::vector<Region>& regions)
+  {
+    Region joined;
+    for (const Region& region : regions)
+    {
+      joined.Box.AddBox(region.Box);
+      joined.Values[Sum] += region.Values[Sum];
+      joined.Values[Count] += region.Values[Count];
+      joined.Values[Largest] = std::max(joined.Values[Largest], region.Values[Largest]);
+    }
+    double bounds[6];
+    joined.Box.GetBounds(bounds);
+    auto array = vtkSmartPointer<vtkDoubleArray>::New();
+    array->SetName("vtkWholeCloud");
+    for (const double bound : bounds)
+    {
+      array->InsertNextValue(bound);
+    }
+    array->InsertNextValue(joined.Values[Sum] / std::max(joined.Values[Count], 1.0));
+    array->InsertNextValue(joined.Values[Largest]);
+    return array;
+  }
+
+  Region() = default;
+
+private:
+  enum // in Values, behind the bounds
+  {
+    Sum = 6,
+    Count,
+    Largest,
+    Leaves,
+    NumberOfValues
+  };
+  vtkBoundingBox Box;
+  std::array<double, NumberOfValues> Values{};
+};
+
 // The points of a piece that each of the other ranks needs.
 std::vector<vtkSmartPointer<vtkIdList>> FindNear(vtkPolyData* piece, const Radii& radii,
-  double reach, const std::vector<vtkBoundingBox>& boxes, int rank)
+  double reach, const std::vector<Region>& regions, int rank)
 {
-  std::vector<vtkSmartPointer<vtkIdList>> near(boxes.size());
+  std::vector<vtkSmartPointer<vtkIdList>> near(regions.size());
   for (auto& ids : near)
   {
     ids = vtkSmartPointer<vtkIdList>::New();
@@ -193,10 +270,11 @@ std::vector<vtkSmartPointer<vtkIdList>> FindNear(vtkPolyData* piece, const Radii
       continue;
     }
     const double distance = reach * radii.Get(id);
-    for (std::size_t other = 0; other < boxes.size(); ++other)
+    for (std::size_t other = 0; other < regions.size(); ++other)
     {
-      if (static_cast<int>(other) != rank && boxes[other].IsValid() &&
-        Distance2(boxes[other], x) <= distance * distance)
+      const vtkBoundingBox& box = regions[other].GetBox();
+      if (static_cast<int>(other) != rank && box.IsValid() &&
+        Distance2(box, x) <= distance * distance)
       {
         near[other]->InsertNextId(id);
       }
@@ -338,29 +416,30 @@ int vtkGhostPointsGenerator::RequestData(
     return 1;
   }
 
-  // The boxes of all ranks.
   const int rank = this->Controller->GetLocalProcessId();
   Pieces pieces = OwnPieces(input, rank);
   const std::size_t leaves = pieces.size();
-  std::array<double, 7> domain;
-  FindBox(pieces).GetBounds(domain.data());
-  domain[6] = static_cast<double>(leaves);
-  std::vector<double> domains(7 * ranks);
-  this->Controller->AllGather(domain.data(), domains.data(), 7);
-  std::vector<vtkBoundingBox> boxes;
+  std::vector<Radii> radii;
+  for (vtkPolyData* piece : pieces)
+  {
+    radii.emplace_back(piece, this->RadiusArray, this->Radius);
+  }
+  this->UpdateProgress(0.2);
+
+  // What all ranks have to know of each other.
+  const Region own(pieces, radii);
+  const std::vector<Region> regions = own.Gather(this->Controller);
   for (int other = 0; other < ranks; ++other)
   {
-    boxes.emplace_back(&domains[7 * other]);
-    if (domains[7 * other + 6] != domain[6])
+    if (regions[other].GetNumberOfLeaves() != leaves)
     {
-      vtkErrorMacro("The trees of rank " << rank << " and rank " << other << " have " << domain[6]
-                                         << " and " << domains[7 * other + 6]
+      vtkErrorMacro("The trees of rank " << rank << " and rank " << other << " have " << leaves
+                                         << " and " << regions[other].GetNumberOfLeaves()
                                          << " leaves; no points are exchanged. Give all ranks the "
                                             "same tree, with empty leaves.");
       return 1; // as all ranks do
     }
   }
-  this->UpdateProgress(0.1);
 
   // What goes to which rank.
   std::vector<Pieces> toSend(ranks, Pieces(leaves));
@@ -371,8 +450,7 @@ int vtkGhostPointsGenerator::RequestData(
     {
       continue;
     }
-    const Radii radii(pieces[leaf], this->RadiusArray, this->Radius);
-    const auto near = FindNear(pieces[leaf], radii, this->Reach, boxes, rank);
+    const auto near = FindNear(pieces[leaf], radii[leaf], this->Reach, regions, rank);
     for (int other = 0; other < ranks; ++other)
     {
       sent.At(other, leaf) = near[other]->GetNumberOfIds();
@@ -404,6 +482,7 @@ int vtkGhostPointsGenerator::RequestData(
   }
   this->UpdateProgress(0.8);
 
+  const vtkSmartPointer<vtkDoubleArray> whole = Region::Join(regions);
   for (std::size_t leaf = 0; leaf < leaves; ++leaf)
   {
     for (vtkPolyData* part : ghosts[leaf])
@@ -413,6 +492,10 @@ int vtkGhostPointsGenerator::RequestData(
     if (!ghosts[leaf].empty())
     {
       pieces[leaf] = Append(pieces[leaf], ghosts[leaf]);
+    }
+    if (pieces[leaf])
+    {
+      pieces[leaf]->GetFieldData()->AddArray(whole);
     }
   }
   PutPieces(pieces, output);

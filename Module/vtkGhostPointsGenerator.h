@@ -17,6 +17,10 @@
  * that a point is of, for selections). A rank without points gets none. With one process the output
  * is the input.
  *
+ * Field data `vtkWholeCloud` (8 doubles) tell the mappers the bounds of all ranks' points, and the
+ * mean and the largest radius: by these they choose how fine an image is, how deep a pyramid. Give
+ * the mappers the radii that this filter has.
+ *
  * Radii are those that the mappers take: RadiusArray, else Radius, else an array `radius`, else
  * those of vtkPointSpacing, which takes some time. Normals should be there: estimates of two ranks
  * may differ in their side.

@@ -26,6 +26,8 @@
 #include "vtkSurfacePixels.h"
 #include "vtkSurfaceTarget.h"
 
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
@@ -735,6 +737,19 @@ std::array<double, 6> GetBoundsOf(const vtkPointBlockGroup& blocks, const double
   return bounds;
 }
 
+/// What vtkGhostPointsGenerator tells of the cloud as a whole, of which this is a part: bounds,
+/// mean and largest radius; nullptr where the cloud is whole.
+vtkDoubleArray* GetWhole(const vtkPointBlocks& blocks)
+{
+  if (blocks.GetBlocks().empty())
+  {
+    return nullptr;
+  }
+  auto* whole = vtkDoubleArray::SafeDownCast(
+    blocks.GetBlocks()[0].Data->GetFieldData()->GetArray("vtkWholeCloud"));
+  return whole && whole->GetNumberOfValues() == 8 ? whole : nullptr;
+}
+
 /// Whether what is drawn to now has several samples a pixel: the window itself, but few passes.
 bool IsMultisampled(vtkOpenGLRenderWindow* window)
 {
@@ -873,7 +888,10 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(
   }
   if (!view.Ranges.empty())
   {
-    view.SetExtent(modelToEye, GetBoundsOf(blocks, points.GetBounds()).data(), this->GetRim(),
+    // all processes make their images alike
+    vtkDoubleArray* whole = GetWhole(this->GetBlocks());
+    view.SetExtent(modelToEye,
+      whole ? whole->GetPointer(0) : GetBoundsOf(blocks, points.GetBounds()).data(), this->GetRim(),
       vtkTextureObject::GetMaximumTextureSize(this->Internals->Window));
   }
   return view;
@@ -1349,6 +1367,12 @@ void vtkPointSurfaceMapper::GetReach(double& mean, double& largest) const
 {
   mean = this->Internals->Points.GetMeanRadius();
   largest = this->Internals->Points.GetLargestRadius();
+  vtkDoubleArray* whole = GetWhole(this->GetBlocks());
+  if (whole && this->Internals->Points.GetRadii())
+  {
+    mean = whole->GetValue(6);
+    largest = whole->GetValue(7);
+  }
 }
 
 const vtkDrawablePoints& vtkPointSurfaceMapper::GetDrawablePoints() const
