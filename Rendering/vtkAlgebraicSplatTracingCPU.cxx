@@ -337,9 +337,9 @@ VTK_POINT_SURFACE_INLINE void Limit(const float* value, const float* change, Ray
     const float t = -value[i] / change[i]; // NaN, for which comparisons fail, or infinite with 0
     const float begin = rays.Begin[i];
     const float end = rays.End[i];
-    rays.Begin[i] = (change[i] > 0.0f) & (t > begin) ? t : begin;
-    const float nearer = (change[i] < 0.0f) & (t < end) ? t : end;
-    rays.End[i] = (change[i] == 0.0f) & (value[i] < 0.0f) ? -Far : nearer;
+    rays.Begin[i] = ((change[i] > 0.0f) & (t > begin)) ? t : begin;
+    const float nearer = ((change[i] < 0.0f) & (t < end)) ? t : end;
+    rays.End[i] = ((change[i] == 0.0f) & (value[i] < 0.0f)) ? -Far : nearer;
   }
 }
 
@@ -536,7 +536,7 @@ VTK_POINT_SURFACE_INLINE void FindRootsInBracket(
       const bool moves = (active[i] != 0) & (value[i] != 0.0f);
       last[i] = std::abs(next - t[i]);
       t[i] = moves ? next : t[i];
-      active[i] = moves & (last[i] > Precision) ? 1 : 0;
+      active[i] = (moves & (last[i] > Precision)) ? 1 : 0;
       any |= active[i];
     }
     if (!any)
@@ -598,7 +598,7 @@ VTK_POINT_SURFACE_INLINE void FindFirstRoots(const float* coefficients, const fl
     for (int i = 0; i < Lanes; ++i)
     {
       t[i] = -p.Of[0][i] / p.Of[1][i];
-      found[i] &= (t[i] >= 0.0f) & (t[i] <= 1.0f) ? 1 : 0;
+      found[i] &= ((t[i] >= 0.0f) & (t[i] <= 1.0f)) ? 1 : 0;
     }
   }
   else if constexpr (Order == 2)

@@ -297,6 +297,32 @@ vtkPointProjectionCPU::Transform vtkPointProjectionCPU::GetTransform(
 }
 
 //------------------------------------------------------------------------------
+struct vtkPointProjectionCPU::Part
+{
+  const Cloud* Source;
+  Transform View;
+  std::vector<std::array<vtkIdType, 2>>
+    Blocks; // first and end of runs of points, of one range each
+
+  int GetNumberOfChunks() const
+  {
+    return static_cast<int>((this->Blocks.size() + ChunkBlocks - 1) / ChunkBlocks);
+  }
+
+  /// Where the arrays of the cloud have the point at a place among all.
+  size_t GetOwnPlace(unsigned int place) const
+  {
+    return place - static_cast<size_t>(this->Source->FirstId);
+  }
+
+  unsigned int GetId(unsigned int place) const
+  {
+    const std::vector<unsigned int>& ids = this->Source->Projection->Points->GetOrder().GetIds();
+    return ids[this->GetOwnPlace(place)] + static_cast<unsigned int>(this->Source->FirstId);
+  }
+};
+
+//------------------------------------------------------------------------------
 void vtkPointProjectionCPU::Draw(const std::vector<Cloud>& clouds,
   const vtkPointProjectionOptions& options, vtkSurfaceImage& image, vtkSurfaceImage* nearest)
 {
@@ -330,32 +356,6 @@ void vtkPointProjectionCPU::Draw(const std::vector<Cloud>& clouds,
     this->AveragePoints(parts, options, image);
   }
 }
-
-//------------------------------------------------------------------------------
-struct vtkPointProjectionCPU::Part
-{
-  const Cloud* Source;
-  Transform View;
-  std::vector<std::array<vtkIdType, 2>>
-    Blocks; // first and end of runs of points, of one range each
-
-  int GetNumberOfChunks() const
-  {
-    return static_cast<int>((this->Blocks.size() + ChunkBlocks - 1) / ChunkBlocks);
-  }
-
-  /// Where the arrays of the cloud have the point at a place among all.
-  size_t GetOwnPlace(unsigned int place) const
-  {
-    return place - static_cast<size_t>(this->Source->FirstId);
-  }
-
-  unsigned int GetId(unsigned int place) const
-  {
-    const std::vector<unsigned int>& ids = this->Source->Projection->Points->GetOrder().GetIds();
-    return ids[this->GetOwnPlace(place)] + static_cast<unsigned int>(this->Source->FirstId);
-  }
-};
 
 std::vector<vtkPointProjectionCPU::Part> vtkPointProjectionCPU::MakeParts(
   const std::vector<Cloud>& clouds)
