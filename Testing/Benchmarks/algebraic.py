@@ -332,7 +332,7 @@ the Stanford University Computer Graphics Laboratory.
 Fandisk of 30,000 points: its mesh, hole-free splats (7% of the points) and splats by LOP (5%), order 3. Sharp edges are
 smoothed, and become wavy. LOP's splats, which are not made smaller at borders, reach over them as flaps, as do some of
 the hole-free ones at thin rims. Holes by LOP in flat regions, which the paper shows, are in the column unfilled: its
-splats are as large as their eight nearest neighbours are far.
+splats are as large as their eight nearest neighbours are far. Fandisk is of Pratt & Whitney, by H. Hoppe.
 
 ## Fig. 1: a sphere at growing zoom
 

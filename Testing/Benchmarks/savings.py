@@ -241,6 +241,8 @@ class Scene:
         self.mapper, self.actor, self.renderer = saving.mapper(), vtkActor(), vtkRenderer()
         self.mapper.SetInputData(self.cloud)
         getattr(self.mapper, f"SetBackendTo{backend}")()
+        if hasattr(self.mapper, "SetThinPoints"):
+            self.mapper.ThinPointsOff()  # that is a saving of its own
         self.actor.SetMapper(self.mapper)
         self.renderer.AddActor(self.actor)
         self.window = offscreen_window(self.renderer, (size, size))
