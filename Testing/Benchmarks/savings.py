@@ -153,6 +153,7 @@ def no_fills(scene, used):
 
 
 def thinned(scene, used):
+    scene.camera.Zoom(0.5)
     scene.mapper.SetThinPoints(used)
 
 
@@ -218,10 +219,10 @@ SAVINGS = {
                      told="levels", tell=lambda mapper: mapper.GetLastFrameLevels()),
     "rectangle": Saving("only the rectangle that the cloud covers is worked on", "two points in corners of the picture",
                         own_rectangle, told="pixels", tell=rectangle),
-    "fills": Saving("no fill where no hole is left", "a hole of 3 pixels", no_fills, vtkImageSpacePointMapper, 2_000_000,
+    "fills": Saving("no fill where no hole is left", "a hole of 3 pixels", no_fills, vtkImageSpacePointMapper, 1_000_000,
                     "fills", lambda mapper: mapper.GetLastFrameBackgroundFills() + mapper.GetLastFrameOccludedFills()),
     "thinning": Saving("no more points than pixels can tell apart", "`ThinPoints` off", thinned, vtkSurfaceSplatMapper,
-                       2_000_000, **POINTS_DRAWN, approximates=True),
+                       500_000, **POINTS_DRAWN, approximates=True),
     "frustum": Saving("points outside of the picture are left out by chunks, zoomed in 8 times",
                       "chunks that all reach through the picture", within_frustum, count=1_000_000, **POINTS_DRAWN),
     "order": Saving("points in the order of space", "points in any order", spatial_order, count=1_000_000),
