@@ -3,6 +3,7 @@
 
 #include "vtkAlgebraicSplatMapper.h"
 #include "vtkDirectPointMapper.h"
+#include "vtkGhostPointsGenerator.h"
 #include "vtkImageSpacePointMapper.h"
 #include "vtkPullPushMapper.h"
 #include "vtkSurfaceSplatMapper.h"
@@ -11,27 +12,93 @@
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
 #include "vtkDataObjectTreeRange.h"
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
+#include "vtkLogger.h"
+#include "vtkMaskPoints.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
+#include "vtkPVLogger.h"
 #include "vtkPVRenderView.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkPolyData.h"
 #include "vtkSelection.h"
+
+#include <algorithm>
+#include <cmath>
 
 vtkStandardNewMacro(vtkPointSurfaceRepresentation);
 
 vtkPointSurfaceRepresentation::vtkPointSurfaceRepresentation()
 {
-  this->SuppressLOD = true;
-  this->UpdateMappers(PULL_PUSH);
+  this->Ghosts->SetInputConnection(this->GeometryFilter->GetOutputPort());
+  this->MultiBlockMaker->SetInputConnection(this->Ghosts->GetOutputPort());
+  this->UpdateMappers(PULL_PUSH, 1.0);
   this->SetArrayIdNames(nullptr, nullptr);
 }
 
 vtkPointSurfaceRepresentation::~vtkPointSurfaceRepresentation() = default;
+
+//------------------------------------------------------------------------------
+namespace
+{
+template <class T>
+bool Change(T& value, const T& to)
+{
+  const bool changed = value != to;
+  value = to;
+  return changed;
+}
+}
+
+void vtkPointSurfaceRepresentation::SetRadiusArray(const std::string& array)
+{
+  if (Change(this->RadiusArray, array))
+  {
+    this->MarkModified(); // ranks get the points within some radii
+  }
+}
+
+void vtkPointSurfaceRepresentation::SetRadius(double radius)
+{
+  if (Change(this->Radius, std::max(radius, 0.0)))
+  {
+    this->MarkModified();
+  }
+}
+
+void vtkPointSurfaceRepresentation::SetRadiusScale(double scale)
+{
+  if (Change(this->RadiusScale, std::min(std::max(scale, 1e-6), 1e6)))
+  {
+    this->MarkModified();
+  }
+}
+
+bool vtkPointSurfaceRepresentation::HasRadiusArray() const
+{
+  return !this->RadiusArray.empty() && this->RadiusArray != "None";
+}
+
+int vtkPointSurfaceRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkNew<vtkGhostPointsGenerator> usual;
+  this->Ghosts->SetRadiusArray(this->HasRadiusArray() ? this->RadiusArray : "");
+  this->Ghosts->SetRadius(this->Radius);
+  this->Ghosts->SetReach(usual->GetReach() * this->RadiusScale);
+  const int result = this->Superclass::RequestData(request, inputVector, outputVector);
+  vtkVLogF(PARAVIEW_LOG_RENDERING_VERBOSITY(),
+    "%s: %lld points, %lld of them copies of other ranks'", this->GetLogName().c_str(),
+    static_cast<long long>(
+      this->Ghosts->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::POINT)),
+    static_cast<long long>(this->Ghosts->GetNumberOfGhostPoints()));
+  return result;
+}
 
 //------------------------------------------------------------------------------
 namespace
@@ -84,14 +151,84 @@ void vtkPointSurfaceRepresentation::TellBounds(vtkInformation* inInfo)
   vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, matrix);
 }
 
+//------------------------------------------------------------------------------
+namespace
+{
+/// One point of 2^level stands for all of them while the camera moves.
+int GetLevel(vtkInformation* inInfo)
+{
+  auto* view = vtkPVRenderView::SafeDownCast(inInfo->Get(vtkPVView::VIEW()));
+  return view ? static_cast<int>(std::lround(8.0 * (1.0 - view->GetLODResolution()))) : 0;
+}
+
+/// Every 2^level-th point, with steps at random, so that no pattern in their order comes through.
+vtkSmartPointer<vtkPolyData> Thin(vtkPolyData* points, int level)
+{
+  vtkNew<vtkMaskPoints> mask;
+  mask->SetInputData(points);
+  mask->SetOnRatio(1 << level);
+  mask->SetMaximumNumberOfPoints(points->GetNumberOfPoints());
+  mask->RandomModeOn();
+  mask->SetRandomModeType(0);
+  mask->Update();
+  return mask->GetOutput();
+}
+
+bool HasArray(vtkDataObject* data, const char* name)
+{
+  for (vtkDataSet* dataSet : vtkCompositeDataSet::GetDataSets<vtkDataSet>(data))
+  {
+    if (dataSet->GetPointData()->HasArray(name))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+void vtkPointSurfaceRepresentation::UpdateLOD(vtkInformation* inInfo)
+{
+  auto* data = vtkDataObjectTree::SafeDownCast(vtkPVView::GetPiece(inInfo, this));
+  if (!data || this->SuppressLOD)
+  {
+    return;
+  }
+  auto thinned = vtkSmartPointer<vtkDataObjectTree>::Take(data->NewInstance());
+  thinned->CopyStructure(data);
+  const bool thins = this->ChooseSystem(data) != ALGEBRAIC_SPLATS;
+  auto leaf = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(data->NewTreeIterator());
+  for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+  {
+    vtkDataObject* object = leaf->GetCurrentDataObject();
+    auto* points = vtkPolyData::SafeDownCast(object);
+    thinned->SetDataSetFrom(
+      leaf, thins && points ? Thin(points, GetLevel(inInfo)).GetPointer() : object);
+  }
+  vtkPVView::SetPieceLOD(inInfo, this, thinned);
+}
+
+//------------------------------------------------------------------------------
 int vtkPointSurfaceRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
+  if (request == vtkPVView::REQUEST_UPDATE_LOD()) // for which the superclass decimates meshes
+  {
+    if (this->GetVisibility())
+    {
+      this->UpdateLOD(inInfo);
+    }
+    return this->GetVisibility();
+  }
   vtkDataObject* data = nullptr;
   if (request == vtkPVView::REQUEST_RENDER() && this->GetVisibility())
   {
     data = vtkPVView::GetDeliveredPiece(inInfo, this);
-    this->UpdateMappers(this->ChooseSystem(data));
+    const int system = this->ChooseSystem(data);
+    // radii that are estimated grow by themselves
+    const bool grows = system != ALGEBRAIC_SPLATS &&
+      (this->HasRadiusArray() || this->Radius > 0.0 || HasArray(data, "radius"));
+    this->UpdateMappers(system, grows ? std::sqrt(double(1 << GetLevel(inInfo))) : 1.0);
   }
   // The superclass tells the blocks' attributes only to mappers of VTK's own, and then takes them
   // for told.
@@ -109,25 +246,17 @@ int vtkPointSurfaceRepresentation::ProcessViewRequest(
   {
     this->PopulateBlockAttributes(this->BlockAttributes, data);
   }
+  if (data && this->Actor->GetEnableLOD())
+  {
+    this->PopulateBlockAttributes(
+      this->LODBlockAttributes, vtkPVView::GetDeliveredPieceLOD(inInfo, this));
+  }
   return 1;
 }
 
 //------------------------------------------------------------------------------
 namespace
 {
-/// Whether a point set in `data` has the arrays of vtkAlgebraicSplats.
-bool HasSplats(vtkDataObject* data)
-{
-  for (vtkDataSet* dataSet : vtkCompositeDataSet::GetDataSets<vtkDataSet>(data))
-  {
-    if (dataSet->GetPointData()->HasArray("SplatCoefficients"))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 template <class Mapper>
 vtkSmartPointer<vtkPointSurfaceMapper> MakeMapper(bool published)
 {
@@ -146,7 +275,7 @@ int vtkPointSurfaceRepresentation::ChooseSystem(vtkDataObject* data) const
   {
     return this->System;
   }
-  return HasSplats(data) ? ALGEBRAIC_SPLATS : PULL_PUSH;
+  return HasArray(data, "SplatCoefficients") ? ALGEBRAIC_SPLATS : PULL_PUSH;
 }
 
 vtkSmartPointer<vtkPointSurfaceMapper> vtkPointSurfaceRepresentation::NewMapper(int system) const
@@ -166,22 +295,29 @@ vtkSmartPointer<vtkPointSurfaceMapper> vtkPointSurfaceRepresentation::NewMapper(
   }
 }
 
-void vtkPointSurfaceRepresentation::UpdateMappers(int system)
+void vtkPointSurfaceRepresentation::UpdateMappers(int system, double growth)
 {
   if (system != this->MapperSystem || this->Published != this->MapperPublished)
   {
     this->MapperSystem = system;
     this->MapperPublished = this->Published;
-    this->ReplaceMapper(this->Mapper, system);
-    this->ReplaceMapper(this->BackfaceMapper, system);
+    this->ReplaceMapper(this->Mapper, system, this->BlockAttributes);
+    this->ReplaceMapper(this->BackfaceMapper, system, this->BlockAttributes);
+    this->ReplaceMapper(this->LODMapper, system, this->LODBlockAttributes);
+    this->ReplaceMapper(this->LODBackfaceMapper, system, this->LODBlockAttributes);
     this->Actor->SetMapper(this->Mapper);
+    this->Actor->SetLODMapper(this->LODMapper);
     this->BackfaceActor->SetMapper(this->BackfaceMapper);
+    this->BackfaceActor->SetLODMapper(this->LODBackfaceMapper);
   }
-  this->SetUpMapper(this->Mapper);
-  this->SetUpMapper(this->BackfaceMapper);
+  this->SetUpMapper(this->Mapper, 1.0);
+  this->SetUpMapper(this->BackfaceMapper, 1.0);
+  this->SetUpMapper(this->LODMapper, growth);
+  this->SetUpMapper(this->LODBackfaceMapper, growth);
 }
 
-void vtkPointSurfaceRepresentation::ReplaceMapper(vtkMapper*& mapper, int system)
+void vtkPointSurfaceRepresentation::ReplaceMapper(
+  vtkMapper*& mapper, int system, vtkCompositeDataDisplayAttributes* blocks)
 {
   vtkSmartPointer<vtkPointSurfaceMapper> fresh = this->NewMapper(system);
   fresh->ShallowCopy(mapper);
@@ -189,7 +325,7 @@ void vtkPointSurfaceRepresentation::ReplaceMapper(vtkMapper*& mapper, int system
   fresh->SetStatic(mapper->GetStatic());
   fresh->SetProcessIdArrayName("vtkProcessId");
   fresh->SetCompositeIdArrayName("vtkCompositeIndex");
-  fresh->SetCompositeDataDisplayAttributes(this->BlockAttributes);
+  fresh->SetCompositeDataDisplayAttributes(blocks);
   if (auto* former = vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
   {
     fresh->SetVBOShiftScaleMethod(former->GetVBOShiftScaleMethod());
@@ -199,13 +335,12 @@ void vtkPointSurfaceRepresentation::ReplaceMapper(vtkMapper*& mapper, int system
   mapper->Register(nullptr); // as the superclass deletes it
 }
 
-void vtkPointSurfaceRepresentation::SetUpMapper(vtkMapper* mapper) const
+void vtkPointSurfaceRepresentation::SetUpMapper(vtkMapper* mapper, double growth) const
 {
   auto* surface = static_cast<vtkPointSurfaceMapper*>(mapper);
-  const bool named = !this->RadiusArray.empty() && this->RadiusArray != "None";
-  surface->SetRadiusArray(named ? this->RadiusArray.c_str() : nullptr);
+  surface->SetRadiusArray(this->HasRadiusArray() ? this->RadiusArray.c_str() : nullptr);
   surface->SetRadius(this->Radius);
-  surface->SetRadiusScale(this->RadiusScale);
+  surface->SetRadiusScale(growth * this->RadiusScale);
   surface->SetSupersampling(this->Supersampling);
   surface->SetBackend(this->Backend);
   if (this->Published)

@@ -8,8 +8,12 @@
  * System. Input is any data set or tree of them; of a grid with cells, as of a mesh, the points of
  * its outer surface are drawn.
  *
- * Moving the camera draws the same picture: ParaView's decimation, which is made for meshes, is not
- * used.
+ * Where ParaView asks for a coarser level of detail while the camera moves (its settings tell from
+ * which size of data on), one point of 2^k is drawn, with a radius as much larger; k falls from 8
+ * to 0 with ParaView's "LOD Resolution". Algebraic splats, which are few already, are all drawn.
+ *
+ * Where the data are spread over several ranks, each gets copies of the points beyond its borders
+ * (vtkGhostPointsGenerator) and draws its part; ParaView puts the pictures together by depth.
  *
  * @sa vtkPointSurfaceMapper
  */
@@ -24,6 +28,7 @@
 #include <string> // for std::string
 
 class vtkCompositeDataDisplayAttributes;
+class vtkGhostPointsGenerator;
 class vtkPointSurfaceMapper;
 
 class VTKPOINTSURFACEREPRESENTATIONS_EXPORT vtkPointSurfaceRepresentation
@@ -67,9 +72,9 @@ public:
   /**
    * Properties of vtkPointSurfaceMapper; the array "None", the default, is none.
    */
-  vtkSetMacro(RadiusArray, std::string);
-  vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
-  vtkSetClampMacro(RadiusScale, double, 1e-6, 1e6);
+  void SetRadiusArray(const std::string& array);
+  void SetRadius(double radius);
+  void SetRadiusScale(double scale);
   vtkSetClampMacro(Supersampling, int, 1, 4);
   vtkSetClampMacro(Backend, int, 0, 2);
   ///@}
@@ -87,11 +92,6 @@ public:
    */
   vtkSetClampMacro(DepthTolerance, double, 0.0, 1.0);
 
-  /**
-   * Does nothing: there is no other level of detail.
-   */
-  void SetSuppressLOD(bool) override {}
-
   void SetArrayIdNames(const char* pointArray, const char* cellArray) override;
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
@@ -99,6 +99,9 @@ public:
 protected:
   vtkPointSurfaceRepresentation();
   ~vtkPointSurfaceRepresentation() override;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   int System = AUTOMATIC;
   bool Published = false;
@@ -117,12 +120,16 @@ private:
 
   void TellBounds(vtkInformation* inInfo);
   int ChooseSystem(vtkDataObject* data) const;
-  void UpdateMappers(int system);
+  void UpdateMappers(int system, double growth);
   vtkSmartPointer<vtkPointSurfaceMapper> NewMapper(int system) const;
-  void ReplaceMapper(vtkMapper*& mapper, int system);
-  void SetUpMapper(vtkMapper* mapper) const;
+  void ReplaceMapper(vtkMapper*& mapper, int system, vtkCompositeDataDisplayAttributes* blocks);
+  void SetUpMapper(vtkMapper* mapper, double growth) const;
+  void UpdateLOD(vtkInformation* inInfo);
+  bool HasRadiusArray() const;
 
+  vtkNew<vtkGhostPointsGenerator> Ghosts;
   vtkNew<vtkCompositeDataDisplayAttributes> BlockAttributes;
+  vtkNew<vtkCompositeDataDisplayAttributes> LODBlockAttributes;
   int MapperSystem = AUTOMATIC; // that the mappers are of; none yet
   bool MapperPublished = false;
 };
