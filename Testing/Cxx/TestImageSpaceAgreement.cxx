@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Both back ends of vtkImageSpacePointMapper beside the double-precision reference, from the same
-// projected buffer: fills, occluded fills and smoothing with each kernel, as published and with the
-// defaults; then the smoothing of lit colours, of the picture itself.
+// projected buffer: fills, occluded fills, smoothing with each kernel and anti-aliasing, as
+// published and with the defaults; then, of the picture itself, the smoothing of lit colours and
+// the blending of outlines.
 
 #include "ImageSpaceReference.h"
 #include "PointSurfaceTestUtilities.h"
@@ -62,6 +63,7 @@ struct Stage
     this->Mapper->SetSmoothingIterations(scene.SmoothingIterations);
     this->Mapper->SetMaximumBackgroundFills(scene.Fills);
     this->Mapper->SetMaximumOccludedFills(scene.Fills);
+    this->Mapper->AntialiasOutlineOn();
     this->Mapper->RecordPointIdsOn();
     this->Mapper->SetBackend(backend);
     this->Actor->SetMapper(this->Mapper);
@@ -127,6 +129,51 @@ int CountDiffering(ImageSpaceReference a, ImageSpaceReference b)
 }
 
 constexpr double Kernels[3][3] = { { 1, 1, 1 }, { 4, 2, 1 }, { 16, 2, 1 } };
+
+/// Section 7, where the other side of an edge is the background: the share of the pixel's surface
+/// in the blend, beside the coverage that the mapper hands to VTK's blending.
+void CompareCoverage(ImageSpaceReference& reference, const int extent[6], const Scene& scene,
+  vtkImageData* surface, const std::string& name)
+{
+  ImageSpaceReference mask(
+    scene.Width, scene.Height); // of the viewport: beside it nothing is known
+  for (int id = 0; id < scene.Width * scene.Height; ++id)
+  {
+    ImageSpaceReference::Pixel& pixel = mask.At(id % scene.Width, id / scene.Width);
+    pixel = reference.At(id % scene.Width - extent[0], id / scene.Width - extent[2]);
+    pixel.Color = { pixel.Depth > 0.0 ? 1.0 : 0.0, 0.0, 0.0, 0.0 };
+  }
+  auto isNearDecision = [&mask](int x, int y)
+  {
+    bool near = false;
+    for (int i = 0; i < 9; ++i)
+    {
+      near |= mask.Get(x + i % 3 - 1, y + i / 3 - 1).NearDecision;
+    }
+    return near;
+  };
+  int outline = 0;
+  double worst = 0.0;
+  for (int y = 1; y + 1 < scene.Height; ++y)
+  {
+    for (int x = 1; x + 1 < scene.Width; ++x)
+    {
+      const bool isSurface = mask.At(x, y).Depth > 0.0;
+      if (isNearDecision(x, y))
+      {
+        continue;
+      }
+      const bool isOutline = isSurface && std::isinf(mask.Laplace(x, y));
+      const double expected = isOutline ? mask.Blend(x, y)[0] : isSurface;
+      outline += isOutline;
+      const double coverage =
+        surface->GetPointData()->GetArray("Coverage")->GetComponent(y * scene.Width + x, 0);
+      worst = std::max(worst, std::abs(coverage - expected));
+    }
+  }
+  check.AtLeast(outline, scene.Width / 2, name + ": pixels on the outline");
+  check.AtMost(worst, 1e-5, name + ": largest difference in coverage");
+}
 
 void Compare(const Scene& scene, int backend)
 {
@@ -227,6 +274,7 @@ void Compare(const Scene& scene, int backend)
   check.AtMost(differing, 0.001 * covered, name + ": differing in validity or source");
   check.AtMost(worst, 1e-4, name + ": largest difference of the others");
   check.AtMost(close, 0.05 * covered, name + ": near a decision");
+  CompareCoverage(reference, extent, scene, surface, name);
 }
 
 /// Smoothing of lit colours, beside the reference's smoothing of the picture.
@@ -236,6 +284,7 @@ void CompareLit(int backend)
     vtkImageSpacePointMapper::AlleviatedGaussian, 1, 3 };
   Stage stage(scene, backend);
   vtkNew<vtkImageData> surface;
+  stage.Mapper->AntialiasOutlineOff();
   stage.Mapper->SetSmoothingIterations(0);
   stage.Window->Render();
   stage.Mapper->ReadSurfaceBuffer(surface);
@@ -280,6 +329,41 @@ void CompareLit(int backend)
   check.AtMost(worst, 1.1, name + ", lit colours: largest difference, grey levels, of bytes");
   check.AtLeast(change / covered, 0.5, name + ", lit colours: mean change by smoothing");
 }
+
+/// The picture with outlines that blend, beside the one without them and the background.
+void CompareBlended(int backend)
+{
+  const Scene scene = { "blended", 300, 300, 60000, false, true, false, true,
+    vtkImageSpacePointMapper::Gaussian, 1, -1 };
+  Stage stage(scene, backend);
+  stage.Renderer->SetBackground(0.2, 0.5, 0.9);
+  const double background[3] = { 0.2 * 255.0, 0.5 * 255.0, 0.9 * 255.0 };
+  vtkNew<vtkUnsignedCharArray> pictures[2];
+  vtkNew<vtkImageData> surface;
+  for (int antialias = 0; antialias < 2; ++antialias)
+  {
+    stage.Mapper->SetAntialiasOutline(antialias);
+    stage.Window->Render();
+    stage.Window->GetPixelData(0, 0, scene.Width - 1, scene.Height - 1, 0, pictures[antialias]);
+  }
+  stage.Mapper->ReadSurfaceBuffer(surface);
+  int partial = 0;
+  double worst = 0.0;
+  for (int id = 0; id < scene.Width * scene.Height; ++id)
+  {
+    const double coverage = surface->GetPointData()->GetArray("Coverage")->GetComponent(id, 0);
+    partial += coverage > 0.0 && coverage < 0.99;
+    for (int k = 0; k < 3; ++k)
+    {
+      const double expected =
+        coverage * pictures[0]->GetComponent(id, k) + (1.0 - coverage) * background[k];
+      worst = std::max(worst, std::abs(pictures[1]->GetComponent(id, k) - expected));
+    }
+  }
+  const std::string name = backend == vtkImageSpacePointMapper::CPU ? "CPU" : "OpenGL";
+  check.AtLeast(partial, 300, name + ", blended outlines: pixels");
+  check.AtMost(worst, 1.6, name + ", blended outlines: largest difference, grey levels, of bytes");
+}
 }
 
 int TestImageSpaceAgreement(int, char*[])
@@ -296,7 +380,10 @@ int TestImageSpaceAgreement(int, char*[])
     Compare(scene, Mapper::OpenGL);
     Compare(scene, Mapper::CPU);
   }
-  CompareLit(Mapper::OpenGL);
-  CompareLit(Mapper::CPU);
+  for (int backend : { Mapper::OpenGL, Mapper::CPU })
+  {
+    CompareLit(backend);
+    CompareBlended(backend);
+  }
   return check.GetResult();
 }
