@@ -71,8 +71,10 @@ public:
   ///@{
   /**
    * Fill only what has the surface on all sides, no more pixels away than half of the iterations
-   * at most. The paper's masks alone, which this adds to, fill each stair of an outline too, once
-   * an iteration. Default on.
+   * at most, in eight directions. The paper's masks alone, which this adds to, fill each stair of
+   * an outline too, once an iteration. Where a regular grid's rows run along one of the directions
+   * the gap between them stays: a cross on a vtkSphereSource that is seen along its axis, which
+   * FillWithinDiscs closes. Default on.
    */
   vtkSetMacro(KeepOutlines, bool);
   vtkGetMacro(KeepOutlines, bool);
