@@ -71,9 +71,10 @@ def tree(points, arrays):
     return blocks
 
 
-def draw(view, name, source, system, allowed=0, **properties):
-    """Draws a picture, and compares it with that of one rank."""
-    scene.show(source, view, system, **properties)
+def draw(view, name, source, system, limit=0.01, allowed=0):
+    """Draws a picture, and compares it with that of one rank: by the mean difference in grey levels, of which a seam with no
+    exchange makes 0.01 to 0.03 on the sphere; and by the share of pixels that are left out, all of them at outlines."""
+    scene.show(source, view, system)
     levels = scene.picture(view, f"parallel-{ranks}-{name}")
     if ranks > 1 and not view.GetClientSideObject().GetUseDistributedRenderingForRender():
         print("ERROR: one rank draws all")
@@ -88,7 +89,7 @@ def draw(view, name, source, system, allowed=0, **properties):
     print(f"{name}: {difference:.3f} grey levels; {unfilled} unfilled, {more} more at outlines, of {theirs.sum()} pixels",
           flush=True)
     # between parts that are near in the picture and of different ranks, a serial picture may have webs
-    if difference >= 1 or holes or unfilled > allowed * theirs.sum():
+    if difference >= limit or holes or unfilled > allowed * theirs.sum():
         print(f"ERROR: {name} differs from the serial picture", flush=True)  # an exit would leave the others waiting
 
 
@@ -97,7 +98,7 @@ points, arrays = sphere()
 whole = source_of(cloud(points, **arrays))
 for system in ("Pull-Push", "Image-Space", "Surface Splats"):
     draw(view, system, whole, system)
-draw(view, "Direct", whole, "Direct", allowed=0.01)  # as fine as the whole cloud is, of which a rank sees a part
+draw(view, "Direct", whole, "Direct", limit=1, allowed=0.01)  # as fine as the whole cloud is, of which a rank sees a part
 del arrays["radius"]
 draw(view, "estimated-radii", source_of(cloud(points, **arrays)), "Pull-Push")
 draw(view, "blocks", source_of(tree(points, arrays)), "Pull-Push")
@@ -113,4 +114,4 @@ scene.show(model, view, "Pull-Push")
 simple.ResetCamera(view)
 simple.Hide(model, view)
 for system in ("Pull-Push", "Image-Space"):
-    draw(view, f"dragon-{system}", model, system, allowed=0.001)
+    draw(view, f"dragon-{system}", model, system, limit=0.2, allowed=0.001)
