@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scenes import Scene, array, polydata
 from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 
 from pointsurface import passes
@@ -171,3 +172,26 @@ def test_layers(step, is_edge):
     assert np.abs(distance - pattern).max() < 1e-4
     assert np.abs(color - blended(pattern, edge)).max() < 0.005
     assert_picture(draw(pattern, "feature-lines", LayerDistance=1), pattern)
+
+
+@pytest.mark.parametrize("size", [100, 300, 900])
+def test_lines_are_as_thin_and_sharp_at_any_resolution(size):
+    """The outline of a ball: two pixels thick whatever the size of the picture, and dark nowhere else."""
+    ball = vtkSphereSource()
+    ball.SetThetaResolution(400)
+    ball.SetPhiResolution(200)
+    ball.Update()
+    scene = Scene(vtkPolyDataMapper, ball.GetOutput(), (size, size))
+    scene.renderer.SetBackground(1, 1, 1)
+    scene.actor.GetProperty().SetAmbient(1)
+    scene.actor.GetProperty().SetDiffuse(0)
+    scene.camera.ParallelProjectionOn()
+    scene.camera.SetParallelScale(0.6)
+    passes.apply(scene.renderer, [passes.PASSES["silhouettes"]()])
+    darkness = 1 - scene.color().mean(axis=-1)
+    y, x = np.indices((size, size)) + 0.5 - size / 2
+    radius = size / 2.4
+    near = np.abs(np.hypot(x, y) - radius) < 3
+    length = 4 * 2**0.5 * radius  # of the pixels along a circle that have the outside at a side
+    assert 0.85 < darkness[near].sum() / (2 * length) < 1.25
+    assert darkness[~near].sum() < 1
