@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Opens a user's file, whatever its format, as a volume or as points."""
 
+import glob
 import importlib.util
 import os
 import re
@@ -36,12 +37,12 @@ def read(path, tell=False):
     tell: show on standard error how far VTK is, where that takes over a second, and let Ctrl-C stop it.
     Raises UnreadableFile for a file that is missing, broken, empty or of an unknown format.
     """
-    if os.path.isdir(path) and not _is_dicom(path):
-        raise UnreadableFile(f"{path} is a folder without slices (.dcm); a file, or a folder of such, is needed")
     if not os.path.exists(path):
         raise UnreadableFile(f"{path} does not exist")
     if not os.access(path, os.R_OK):
         raise UnreadableFile(f"{path} may not be read by this user")
+    if os.path.isdir(path) and not _is_dicom(path):
+        raise UnreadableFile(f"{path} is a folder without slices (.dcm); a file, or a folder of such, is needed")
 
     extension = _extension(path)
     if extension in _TEXTS:
@@ -104,11 +105,23 @@ def _require_reader(form, path):
 _TRIAL_SECONDS = 30.0
 _TRIAL_SECONDS_PER_MEGABYTE = 2.0
 
+# What has its data in other files: of the same folder, or (foam) of folders in it.
+_HEADERS = ("cas", "case", "dcm", "encas", "foam", "mhd", "p3d", "vrt", "xdmf", "xmf")
+
+
+def _bytes_to_read(path, extension):
+    """At most: of a header all that lies beside it."""
+    if extension not in _HEADERS:
+        return os.path.getsize(path)
+    folder = path if os.path.isdir(path) else os.path.dirname(os.path.abspath(path))
+    names = glob.iglob(os.path.join(glob.escape(folder), "**" if extension == "foam" else "*"), recursive=True)
+    return sum(os.path.getsize(name) for name in names if os.path.isfile(name))
+
 
 def _try(form, extension, path):
     """Reads the file in a process of its own; a crash, anything printed, or no end raises UnreadableFile."""
     command = [sys.executable, formats.__file__, extension, path]
-    limit = _TRIAL_SECONDS + _TRIAL_SECONDS_PER_MEGABYTE * os.path.getsize(path) / 1e6
+    limit = _TRIAL_SECONDS + _TRIAL_SECONDS_PER_MEGABYTE * _bytes_to_read(path, extension) / 1e6
     try:
         trial = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=limit)
     except subprocess.TimeoutExpired:
@@ -219,7 +232,7 @@ def _check_netcdf(path):
             return
         try:
             needed = _netcdf_bytes(file, offset_bytes=version)
-        except (EOFError, KeyError) as error:
+        except (EOFError, LookupError) as error:
             raise UnreadableFile(f"{path} is cut short, or no NetCDF: its header makes no sense") from error
     if os.path.getsize(path) < needed:
         raise UnreadableFile(f"{path} is cut short: its header asks for {needed} bytes, not {os.path.getsize(path)}")

@@ -419,3 +419,25 @@ def test_a_reader_that_does_not_come_to_an_end(tmp_path, monkeypatch):
     path.write_text(TECPLOT[: len(TECPLOT) // 2])
     monkeypatch.setattr("pointsurface.readers._TRIAL_SECONDS", 4.0)
     check_fault(path, "cannot be read")
+
+
+def test_time_for_data_that_lie_in_another_file(tmp_path, monkeypatch):
+    """How long a trial may take is told by the data, not by their header."""
+    (tmp_path / "large.raw").write_bytes(bytes(range(250)) * 4000)
+    (tmp_path / "large.mhd").write_text(
+        "ObjectType = Image\nNDims = 3\nDimSize = 100 100 100\nElementType = MET_UCHAR\nElementDataFile = large.raw\n"
+    )
+    monkeypatch.setattr("pointsurface.readers._TRIAL_SECONDS", 0.0)
+    monkeypatch.setattr("pointsurface.readers._TRIAL_SECONDS_PER_MEGABYTE", 20.0)
+    assert read(str(tmp_path / "large.mhd")).GetNumberOfPoints() == 1_000_000
+
+
+def test_netcdf_whose_header_makes_no_sense(tmp_path):
+    """A variable of a dimension that is not there."""
+    path = tmp_path / "broken.nc"
+    write_netcdf(path)
+    content = path.read_bytes()
+    variable = struct.pack(">3i", 3, 0, 1) + struct.pack(">i", 2)  # "values", by z, y, x
+    assert content.count(variable) == 1
+    path.write_bytes(content.replace(variable, struct.pack(">4i", 3, 0, 1, 9)))
+    check_fault(path, "its header makes no sense")
