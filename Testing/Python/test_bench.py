@@ -57,7 +57,7 @@ def test_measurement_of_a_sphere():
     assert measured[bench.EWA]["psnr"] > measured[bench.GAUSSIAN]["psnr"] + 5  # lit and placed as the others are
     # the mesh is the truth but for what supersampling does at its outline; the peers are rough
     assert measured[bench.MESH]["depth"] < 1e-4
-    assert measured[bench.MESH]["psnr"] > max(measured[peer]["psnr"] for peer in bench.PEERS) + 5
+    assert measured[bench.MESH]["psnr"] > max(measured[peer]["psnr"] for peer in bench.PEERS if peer in measured) + 5
 
 
 def test_open3d_where_it_is_there():
