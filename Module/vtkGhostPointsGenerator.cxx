@@ -139,12 +139,12 @@ public:
     {
       return;
     }
-    this->Array = name.empty() ? nullptr : piece->GetPointData()->GetArray(name.c_str());
+    this->Array = Find(piece, name);
     if (this->Array || constant > 0.0)
     {
       return;
     }
-    this->Array = piece->GetPointData()->GetArray("radius");
+    this->Array = Find(piece, "radius");
     if (!this->Array)
     {
       vtkNew<vtkPointSpacing> spacing;
@@ -160,6 +160,15 @@ public:
   }
 
 private:
+  // nullptr where there is none with a radius for each point.
+  static vtkDataArray* Find(vtkPolyData* piece, const std::string& name)
+  {
+    vtkDataArray* array = name.empty() ? nullptr : piece->GetPointData()->GetArray(name.c_str());
+    const bool fits = array && array->GetNumberOfTuples() == piece->GetNumberOfPoints() &&
+      array->GetNumberOfComponents() == 1;
+    return fits ? array : nullptr;
+  }
+
   vtkSmartPointer<vtkDataArray> Array;
   double Usual;
 };
@@ -230,8 +239,12 @@ public:
     {
       array->InsertNextValue(bound);
     }
-    array->InsertNextValue(joined.Values[Sum] / std::max(joined.Values[Count], 1.0));
-    array->InsertNextValue(joined.Values[Largest]);
+    // as vtkDrawablePoints: no radius is larger than the cloud
+    const double diagonal = joined.Box.IsValid() ? joined.Box.GetDiagonalLength() : 0.0;
+    const double limit = diagonal > 0.0 ? diagonal : VTK_FLOAT_MAX;
+    const double mean = joined.Values[Sum] / std::max(joined.Values[Count], 1.0);
+    array->InsertNextValue(std::min(mean, limit));
+    array->InsertNextValue(std::min(joined.Values[Largest], limit));
     return array;
   }
 
