@@ -64,8 +64,8 @@ bool IsPlain(vtkActor* actor)
 
 bool LookAlike(const vtkJointSurface::Member& a, const vtkJointSurface::Member& b)
 {
-  return a.HasColors == b.HasColors && IsPlain(a.Actor) && IsPlain(b.Actor) &&
-    GetMaterial(a.Actor->GetProperty()) == GetMaterial(b.Actor->GetProperty());
+  return a.HasColors == b.HasColors && !a.HasDuplicates && !b.HasDuplicates && IsPlain(a.Actor) &&
+    IsPlain(b.Actor) && GetMaterial(a.Actor->GetProperty()) == GetMaterial(b.Actor->GetProperty());
 }
 
 std::array<int, 4> Unite(const std::array<int, 4>& a, const std::array<int, 4>& b)

@@ -33,6 +33,7 @@ public:
     vtkActor* Actor = nullptr;
     vtkPointSurfaceView View;
     bool HasColors = false;
+    bool HasDuplicates = false;   ///< see vtkDuplicatePoints
     std::array<float, 4> Color{}; ///< of a cloud without colours, where it borders on others
     vtkIdType NumberOfPoints = 0;
     vtkIdType FirstId = 0; ///< of its points among those of all members

@@ -925,6 +925,7 @@ bool vtkPointSurfaceMapper::JoinSurface(vtkActor* actor, const vtkPointSurfaceVi
   member.Actor = actor;
   member.View = view;
   member.HasColors = this->VBOs->GetNumberOfComponents("scalarColor") > 0;
+  member.HasDuplicates = this->HasDuplicates();
   const double* color = actor->GetProperty()->GetDiffuseColor();
   std::copy_n(color, 3, member.Color.begin());
   member.Color[3] = 1.0f;

@@ -13,8 +13,10 @@ from scenes import MAPPERS, Scene, input_of, torus_cloud
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor
+from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass
 
-from pointsurface import vtkDirectPointMapper, vtkGhostPointsGenerator
+from pointsurface import vtkDirectPointMapper, vtkGhostPointsGenerator, vtkPointSurfacePass
 
 RANKS = 3
 EMPTY = RANKS  # one rank more has no points
@@ -255,3 +257,30 @@ def test_one_process_changes_nothing():
     output, ghosts = with_ghosts(cloud)
     assert ghosts == 0 and output.GetPoints() is cloud.GetPoints()
     assert not output.GetPointData().HasArray("vtkGhostType")
+
+
+def test_copies_lie_behind_where_clouds_join():
+    """Clouds that look alike are shaded together, but one with copies by itself, which knows them."""
+    cloud = torus_cloud(8000)
+    left = positions(cloud)[:, 0] < 0
+    depths = []
+    for ghost_type in (0, vtkDataSetAttributes.DUPLICATEPOINT):
+        scene = Scene(MAPPERS[0], cloud)
+        scene.mapper.SetInputData(part_of(cloud, left))
+        other = part_of(cloud, ~left)
+        ghosts = numpy_to_vtk(np.full(other.GetNumberOfPoints(), ghost_type, np.uint8), deep=True)
+        ghosts.SetName(vtkDataSetAttributes.GhostArrayName())
+        other.GetPointData().AddArray(ghosts)
+        mapper, actor, steps = MAPPERS[0](), vtkActor(), vtkRenderStepsPass()
+        mapper.SetInputData(other)
+        actor.SetMapper(mapper)
+        scene.renderer.AddActor(actor)
+        scene.renderer.ResetCameraClippingRange(cloud.GetBounds())
+        steps.SetOpaquePass(vtkPointSurfacePass())
+        scene.renderer.SetPass(steps)
+        scene.color()
+        depths.append(scene.depth())
+    behind, covered = depths[1] > depths[0] + 1e-3, depths[0] < 1
+    print(np.count_nonzero(behind), "pixels behind, of", np.count_nonzero(covered))
+    assert 0.3 < np.count_nonzero(behind) / np.count_nonzero(covered) < 0.7
+    assert np.array_equal(depths[0][~behind], depths[1][~behind])
