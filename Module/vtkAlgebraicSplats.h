@@ -153,10 +153,9 @@ public:
    * higher order runs wild on the other one. A splat gets the highest order that amplifies an error
    * of its neighbours by no more than this factor on the rim of its disc; 0: no limit (the paper).
    * Where that is lower than wanted, the farther half of the neighbours is first left out, and
-   * again while 16 or more are left; and the disc moves away from the border as far as it covers
-   * what the splat stands for; so that it is less far over the border (both not for FIXED_COUNT).
-   * Neighbours all around give a factor of 0.5 to 4, those of a half-plane 6 and
-   * more. Default: 5.
+   * again while 16 or more are left, and the disc moves away from the border as long as it covers
+   * what the splat stands for: so it is less far over the border (both not for FIXED_COUNT).
+   * Neighbours all around give a factor of 0.5 to 4, those of a half-plane 6 and more. Default: 5.
    */
   vtkSetClampMacro(ExtrapolationLimit, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ExtrapolationLimit, double);

@@ -19,8 +19,8 @@
  *   between them it has.
  * - vtkOpenGLFXAAPass works on its viewport's place in the window, also where it draws to another
  *   pass: in a viewport off the window's origin it is to be the outermost. So does vtkSSAOPass
- *   before VTK 9.7 where it is the outermost, or has FXAA alone around it: there a pass of this kind
- *   has to be around it.
+ *   before VTK 9.7 where it is the outermost, or has FXAA alone around it: a pass of this kind has
+ *   to be around it there.
  * - vtkEDLShading knows perspective alone.
  *
  * A distance between layers of surface is along the view direction in world units; 0, the default
