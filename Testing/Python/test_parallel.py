@@ -123,6 +123,13 @@ def run_rank(folder):
         if output.GetBlock(block):
             keep(f"block{block}", output.GetBlock(block))
 
+    # A radius that is larger than the cloud.
+    cloud = torus_cloud(8000)
+    numpy_of(cloud, "radius")[0] = 1e30
+    output, _ = with_ghosts(part_of(cloud, rank_of(positions(cloud)) == rank))
+    if output.GetNumberOfPoints():
+        results["whole"] = vtk_to_numpy(output.GetFieldData().GetArray("vtkWholeCloud"))
+
     # Trees that differ.
     if rank == 0:
         tree.SetNumberOfBlocks(3)
@@ -220,6 +227,14 @@ def test_blocks_of_a_tree(ranks):
 def test_trees_that_differ_are_an_error(ranks):
     for result in ranks:
         assert tuple(result["differing"]) == (1, 0, 0)
+
+
+def test_what_is_told_of_the_whole(ranks):
+    """Its bounds; and no radius that is larger than it is, which shaders could not take."""
+    cloud = torus_cloud(8000)
+    for rank in range(RANKS):
+        assert ranks[rank]["whole"][:6] == pytest.approx(cloud.GetBounds())
+        assert ranks[rank]["whole"][6:] == pytest.approx(cloud.GetLength())
 
 
 def composite(ranks, mapper_class, name):
