@@ -435,6 +435,34 @@ def test_agrees_with_the_reference(backend):
         assert np.abs(buffer("Depth") / np.where(covered, truth["depth"], 1) - 1)[same].max() < 1e-4
 
 
+def test_blending_normals_errs_no_more_than_blending_shades():
+    """The paper blends colours that were lit splat by splat; the mapper blends normals, which are lit once."""
+    for order in (1, 2, 3):
+        splats = fit(sphere(4000), Order=order).GetOutput()
+        mapper, renderer, window = drawn(splats)
+        window.Render()
+        size = (96, 96)
+        image = reference.draw(splats, renderer, size, mapper.GetDepthShift(), mapper.GetWeightFalloff(),
+                               mapper.GetSeparateSides())
+        covered = image["depth"] > 0
+        # The truth: where each pixel's ray meets the unit sphere.
+        view = reference._matrix(renderer.GetActiveCamera().GetViewTransformMatrix())
+        center, slope = view[:3, 3], np.tan(np.radians(renderer.GetActiveCamera().GetViewAngle() / 2))
+        y, x = np.mgrid[0:96, 0:96]
+        ray = np.stack([slope * ((2 * x + 1) / 96 - 1), slope * ((2 * y + 1) / 96 - 1), -np.ones((96, 96))], axis=-1)
+        ray = ray.reshape(-1, 3) / np.linalg.norm(ray.reshape(-1, 3), axis=1, keepdims=True)
+        along = ray @ center
+        square = along**2 - center @ center + 1
+        covered &= square > 0
+        truth = np.abs((ray * (along - np.sqrt(np.maximum(square, 0)))[:, None] - center)[:, 2])
+        assert covered.sum() > 1000
+        normals, shades = (255 * np.sqrt(np.mean((shade - truth)[covered] ** 2))
+                           for shade in (np.abs(image["normal"][:, 2]), image["shade"]))
+        print("order", order, "grey levels off, normals blended", normals, "shades blended", shades)
+        assert normals <= 1.05 * shades
+        assert normals < (13, 0.1, 0.1)[order - 1]
+
+
 @pytest.mark.parametrize("backend", [1, 2])
 def test_sphere_is_closed_round_and_selectable(backend, tmp_path):
     count = 8000

@@ -50,7 +50,8 @@ def _first_roots(values, order):
 
 def draw(splats, renderer, size, depth_shift, weight_falloff, separate_sides):
     """A dictionary of images, the lower left pixel first: depth (0 where there is no surface), normal (eye space),
-    id (of the heaviest splat, -1 where there is none), close (a decision that rounding may turn)."""
+    shade (by a headlight, each splat's own and then blended, as the paper has it), id (of the heaviest splat, -1 where
+    there is none), close (a decision that rounding may turn)."""
     width, height = size
     data = splats.GetPointData()
     array = lambda name: vtk_to_numpy(data.GetArray(name)).astype(float)
@@ -152,7 +153,7 @@ def draw(splats, renderer, size, depth_shift, weight_falloff, separate_sides):
         close |= both & (np.abs(nearest[0] / nearest[1] - 1) < 1e-5)
     front = nearest[1] <= nearest[0]
     visible = np.where(front, nearest[1], nearest[0]) * (1 + depth_shift)
-    sums = np.zeros((count, 5))
+    sums = np.zeros((count, 6))
     heaviest = np.zeros((count, 2))  # the two largest weights
     ids = np.full(count, -1)
     for pixel, depth, weight, normal, i, facing in hits:
@@ -164,6 +165,7 @@ def draw(splats, renderer, size, depth_shift, weight_falloff, separate_sides):
         sums[pixel, :3] += weight * normal
         sums[pixel, 3] += weight * depth
         sums[pixel, 4] += weight
+        sums[pixel, 5] += weight * abs(normal[2])
         if weight > heaviest[pixel, 0]:
             heaviest[pixel] = weight, heaviest[pixel, 0]
             ids[pixel] = i
@@ -172,5 +174,5 @@ def draw(splats, renderer, size, depth_shift, weight_falloff, separate_sides):
     covered = sums[:, 4] > 0
     close |= covered & (heaviest[:, 0] - heaviest[:, 1] < 1e-5)
     normal = sums[:, :3] / (np.linalg.norm(sums[:, :3], axis=1, keepdims=True) + 1e-300)
-    depth = np.where(covered, sums[:, 3] / np.where(covered, sums[:, 4], 1), 0)
-    return {"depth": depth, "normal": normal, "id": ids, "close": close}
+    depth, shade = (np.where(covered, sums[:, k] / np.where(covered, sums[:, 4], 1), 0) for k in (3, 5))
+    return {"depth": depth, "normal": normal, "shade": shade, "id": ids, "close": close}
