@@ -54,7 +54,7 @@ def load(path, isovalue=None):
     if path is None:
         return _default_subject(isovalue)
     data = read(path, tell=True)
-    name = os.path.basename(path)
+    name = os.path.basename(os.path.abspath(path))  # of a folder, too, which may end with a slash
     if isinstance(data, vtkImageData):
         if isovalue is not None:
             return _isosurface(name, data, isovalue)

@@ -25,6 +25,7 @@ from vtkmodules.vtkIOGeometry import vtkBYUWriter
 from vtkmodules.vtkIOMINC import vtkMINCImageWriter, vtkMNITagPointWriter
 from vtkmodules.vtkIOParallelXML import vtkXMLPartitionedDataSetCollectionWriter, vtkXMLPartitionedDataSetWriter
 
+from pointsurface import subjects
 from pointsurface.formats import FORMATS
 from pointsurface.readers import read
 
@@ -167,6 +168,7 @@ def test_slice_and_folder_without_slices(tmp_path):
     write_dicom(tmp_path / "slices")
     check_fault(tmp_path / "slices" / "1.dcm", "a slice of a volume", "the folder")
     check_fault(tmp_path, "is a folder without slices (.dcm)")
+    assert "slices" in subjects.load(f"{tmp_path}/slices/", 35.5).title
 
 
 # Points.
