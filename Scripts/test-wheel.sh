@@ -51,5 +51,6 @@ packages=$("$work/venv/bin/python" -c 'import sysconfig; print(sysconfig.get_pat
 say "running the Python tests"
 mkdir -p "$work/output"
 cd "$work" # not the source tree
-PATH="$work/venv/bin:$PATH" DISPLAY='' PYTHONPATH=$packages POINTSURFACE_TEST_OUTPUT=$work/output \
+# VTK's wheel asks EGL itself for OpenGL's functions, so that the library of lower limits is not heard.
+PATH="$work/venv/bin:$PATH" DISPLAY='' POINTSURFACE_TEST_LIMITS='' PYTHONPATH=$packages POINTSURFACE_TEST_OUTPUT=$work/output \
   python -m pytest -q -rs -p no:cacheprovider -n 2 --dist loadfile "$source_dir/Testing/Python"

@@ -128,7 +128,8 @@ def plain(request):
 
 @pytest.mark.parametrize("name", [*LIGHTS, *MATERIALS])
 def test_lit_as_the_mesh(plain, name):
-    """The mean difference is at most 1.1 times that of the headlight, whose light is white.
+    """The mean difference is at most 1.1 times that of the headlight, whose light is white, or what rounding both pictures to
+    eight bits may bring: a quarter of a grey level.
 
     The largest channel has a floor of a grey level, and more room: with coloured lights each of a pixel's channels is rounded
     by itself, with white ones all three together, so that the largest of three is larger for the same normals.
@@ -136,7 +137,7 @@ def test_lit_as_the_mesh(plain, name):
     mapper_class, headlight = plain
     other = inner_difference(mapper_class, {**LIGHTS, **MATERIALS}[name])
     print(f"{name}: {other[0]:.3f} and {other[1]:.3f}, headlight: {headlight[0]:.3f} and {headlight[1]:.3f}")
-    assert other[0] <= 1.1 * headlight[0]
+    assert other[0] <= max(1.1 * headlight[0], 0.25)
     assert other[1] <= max(1.15 * headlight[1], 1.0)
 
 
