@@ -249,7 +249,7 @@ class Stage:
         self.actor.GetProperty().SetLighting(not unlit)
         self.actor.GetProperty().SetPointSize(POINT_SIZE)
         window = window_without_screen(self.renderer, self.size)
-        image = SurfaceImage(read_color(window), self._normals(mapper), self._depth(window))
+        image = SurfaceImage(read_color(window), self._normals(mapper), self.depth(window))
         result = compare(image, truth, self.mesh.GetLength())
         if not hasattr(mapper, "ReadSurfaceBuffer"):
             result["normal_mean"] = result["normal_95"] = None
@@ -325,7 +325,7 @@ class Stage:
         mapper.ReadSurfaceBuffer(buffer)
         return vtk_to_numpy(buffer.GetPointData().GetArray("Normals")).reshape(*self.size[::-1], 3).astype(float)
 
-    def _depth(self, window):
+    def depth(self, window):
         """Distance from the eye along the view direction, 0 where nothing is drawn."""
         values = vtkFloatArray()
         window.GetZbufferData(0, 0, self.size[0] - 1, self.size[1] - 1, values)

@@ -23,6 +23,11 @@ def offscreen_window(renderer, size):
 def read_color(window, scale=1):
     """Renders the window at `scale` times its size, in tiles, and returns (height, width, 3), 0 to 1."""
     window.Render()  # it resets the camera of a renderer that has none yet; the filter does not
+    return grab_color(window, scale)
+
+
+def grab_color(window, scale=1):
+    """As read_color(), of a window that has been rendered."""
     grab = vtkWindowToImageFilter()
     grab.SetInput(window)
     grab.SetScale(scale)
