@@ -48,18 +48,20 @@ from .volumes import gyroid_ball
 from .writers import write_whole
 
 FRAMES, WARM_UP = 5, 2
+MOST_SECONDS = 4  # of frames, after which there are no more
 RADIUS = 1.5  # times the mean spacing
 BACKGROUND = 0.2
 OURS = [name for name in METHODS if name != "algebraic-splats"]  # whose fit is no matter of a frame
 TWICE = "2x"  # after a method: with supersampling
 GAUSSIAN, POINTS, MESH = "vtkPointGaussianMapper", "points of OpenGL", "mesh"
 OPEN3D = "Open3D"  # where it is installed and finds a graphics driver
+OPEN3D_SECONDS = 300  # at most, for all of its frames
 PEERS = (GAUSSIAN, POINTS, *([OPEN3D] if importlib.util.find_spec("open3d") else []))
 POINT_SIZE = 2  # pixels, of what is drawn as points
 # The yardstick for errors, slow and plain: where Testing/Reference/ewa_splats.py can be imported.
 EWA = "EWA splats"
 YARDSTICKS = [EWA] if importlib.util.find_spec("ewa_splats") else []
-MOST_SPLATS = 1_000_000  # that the yardstick is asked for
+MOST_SPLATS, MOST_SPLAT_PIXELS = 1_000_000, 512  # that the yardstick is asked for
 RENDERERS = [*OURS, *(f"{name} {TWICE}" for name in OURS), *PEERS, *YARDSTICKS, MESH]
 MEASURES = {  # name: heading, format, factor
     "psnr": ("PSNR, dB", "{:.2f}", 1),
@@ -253,20 +255,14 @@ class Stage:
         result = compare(image, truth, self.mesh.GetLength())
         if not hasattr(mapper, "ReadSurfaceBuffer"):
             result["normal_mean"] = result["normal_95"] = None
-        camera = self.renderer.GetActiveCamera()
-        times = []
-        for _ in range(WARM_UP + FRAMES):
-            camera.Azimuth(1)
-            times.append(_time_frame(window))
-        camera.Azimuth(-len(times))
-        result["milliseconds"], result["processor_milliseconds"] = (median(t) for t in zip(*times[WARM_UP:]))
+        result["milliseconds"], result["processor_milliseconds"] = self._time_frames(window)
         result["renderer"] = renderer_string(window)
         window.RemoveRenderer(self.renderer)
         return result
 
     def _measure_ewa_splats(self, truth):
-        """The errors of the yardstick, whose time says nothing; None where there are too many points for it."""
-        if self.cloud.GetNumberOfPoints() > MOST_SPLATS:
+        """The errors of the yardstick, whose time says nothing; None where there are too many points or pixels for it."""
+        if self.cloud.GetNumberOfPoints() > MOST_SPLATS or self.size[0] > MOST_SPLAT_PIXELS:
             return None
         from ewa_splats import draw_ewa_splats
 
@@ -307,7 +303,12 @@ class Stage:
                 warm_up=WARM_UP,
             )
             program = os.path.join(os.path.dirname(os.path.abspath(__file__)), "open3d_peer.py")
-            run = subprocess.run([sys.executable, program, *paths], capture_output=True, text=True)
+            command = [sys.executable, program, *paths]
+            try:
+                run = subprocess.run(command, capture_output=True, text=True, timeout=OPEN3D_SECONDS)
+            except subprocess.TimeoutExpired:
+                announce(f"{OPEN3D} is left out, it took over {OPEN3D_SECONDS} seconds")
+                return None
             if run.returncode:
                 reason = run.stderr.strip().splitlines() or ["it says no reason"]
                 announce(f"{OPEN3D} is left out, it cannot draw here: {reason[-1]}")
@@ -332,6 +333,17 @@ class Stage:
         depth = vtk_to_numpy(values).reshape(self.size[::-1]).astype(float)
         near, far = self.renderer.GetActiveCamera().GetClippingRange()
         return np.where(depth < 1, near * far / (far - depth * (far - near)), 0)
+
+
+    def _time_frames(self, window):
+        """Medians after warm-up, camera moving; of frames that take too long for that the last one's."""
+        camera = self.renderer.GetActiveCamera()
+        times, start = [], time.perf_counter()
+        while len(times) < WARM_UP + FRAMES and time.perf_counter() < start + MOST_SECONDS:
+            camera.Azimuth(1)
+            times.append(_time_frame(window))
+        camera.Azimuth(-len(times))
+        return [median(column) for column in zip(*(times[WARM_UP:] or times[-1:]))]
 
 
 def _time_frame(window):
@@ -482,7 +494,7 @@ def _markdown(measured):
         "# Speed against error",
         "",
         f"By `python3 -m pointsurface bench`, on {renderer}. Milliseconds: the median of {FRAMES} frames, camera moving, of",
-        "the clock and of all threads. Points are sampled uniformly by area, at random, with exact normals and a radius of",
+        f"the clock and of all threads; of fewer where {MOST_SECONDS} seconds hold no more. Points are sampled uniformly by area, at random, with exact normals and a radius of",
         f"{RADIUS} times the mean spacing; vtkPointGaussianMapper draws opaque discs of 0.7 of it, triangle scale 1, points",
         f"of OpenGL are {POINT_SIZE} pixels large; both draw colours of points that were lit one by one. Truth: the mesh, 16 samples a",
         "pixel. A star stands at what none but the mesh beats in both time and PSNR.",

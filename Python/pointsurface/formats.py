@@ -4,8 +4,12 @@
 It needs VTK alone, so that a file can be tried in a process that loads little.
 """
 
-import importlib
 import sys
+
+if __name__ == "__main__" and not getattr(sys.flags, "safe_path", False):
+    del sys.path[0]  # the folder of the package, whose modules are not to be taken for others of their names
+
+import importlib
 from typing import NamedTuple
 
 

@@ -13,6 +13,10 @@ and with row 0 at the bottom; "milliseconds" and "processor_milliseconds", media
 """
 
 import sys
+
+if __name__ == "__main__" and not getattr(sys.flags, "safe_path", False):
+    del sys.path[0]  # the folder of the package, whose modules are not to be taken for others of their names
+
 import time
 from statistics import median
 

@@ -160,13 +160,13 @@ def make_torus():
     return torus.GetOutput()
 
 
-def make_model(name, data, seed):
+def make_model(name, data, seed, count=COUNT):
     """The points of a model as they are drawn, and the mesh that they stand for."""
     if isinstance(data, vtkImageData):
         mesh = run_contour(vtkFlyingEdges3D(), name, data)
         mend_normals(mesh)
         return Model(name, run_contour(vtkIsosurfacePoints(), name, data), mesh)
-    cloud = sample_by_area(data, COUNT, seed)
+    cloud = sample_by_area(data, count, seed)
     radius = cloud.GetPointData().GetArray("radius")  # twice the mean spacing
     vtk_to_numpy(radius)[:] *= RADIUS / 2
     return Model(name, cloud, data)

@@ -1,0 +1,167 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is claimed of the mapper that is picked by itself, and of vtkPullPushMapper beside it: measured, and whether it is met.
+
+    python3 Testing/Benchmarks/claims.py [--output [FILE]]
+
+By the protocol of errors.py, of the bunny: its clouds, camera, light and truth. Each figure comes from a process of its
+own; milliseconds are of the wall, the median of some frames with the camera moving. PYTHONPATH must lead to the package
+pointsurface; a torus takes the model's place where it is not there. About two minutes.
+"""
+
+from statistics import median
+
+from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
+
+import errors
+from apart import main, measure_apart
+from frames import draw_next_frame
+from pointsurface import vtkPointSurfaceMapperFactory, vtkPullPushMapper
+from pointsurface.metrics import psnr
+from pointsurface.peers import gaussian_discs
+from pointsurface.rendering import renderer_string
+
+MODEL = "bunny"
+WARM_UP, FRAMES = 3, 11
+GAUSSIAN_SCALE = 0.7  # of the radius: the best PSNR of errors.py
+AUTO, PULL_PUSH, GAUSSIAN, MESH = "auto", "pull-push", "vtkPointGaussianMapper", "mesh"
+
+# Points, by whom, and by whom they may be drawn in so much of its time, at most; the back end of mappers of ours.
+TIMES = (
+    (2_000_000, AUTO, GAUSSIAN, "CPU", 0.05),
+    (100_000, AUTO, MESH, "CPU", 0.5),
+    (100_000, PULL_PUSH, AUTO, "CPU", 1),
+    (100_000, PULL_PUSH, AUTO, "OpenGL", 1),
+)
+# Points, view and supersampling: the dB of what is picked, at least.
+ERRORS = {
+    (100_000, "whole", 1): 37.5,
+    (100_000, "whole", 2): 39,
+    (1_000_000, "whole", 1): 41.5,
+    (1_000_000, "whole", 2): 47,
+    (100_000, "zoomed", 1): 35.5,
+}
+BEHIND = 1  # dB that pull-push may be behind what is picked
+
+
+def make_scene(count, view):
+    name = MODEL if errors.read_mesh(MODEL) is not None else "torus"
+    return errors.Scene(errors.make_model(name, errors.read_mesh(name), errors.SEEDS[0], count), view)
+
+
+def make_mapper(name, scene, backend):
+    """A mapper by its name, and whether it lights what it draws."""
+    if name == MESH:
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputData(scene.model.mesh)
+        mapper.ScalarVisibilityOff()
+        return mapper, True
+    if name == GAUSSIAN:
+        return gaussian_discs(scene.model.cloud, GAUSSIAN_SCALE), False
+    if name == AUTO:  # what is picked where the processor draws
+        mapper = vtkPointSurfaceMapperFactory.NewMapper(scene.model.cloud, vtkPullPushMapper.CPU)
+    else:
+        mapper = vtkPullPushMapper()
+    getattr(mapper, f"SetBackendTo{backend}")()
+    mapper.SetInputData(scene.model.cloud)
+    return mapper, True
+
+
+def measure_time(name, count, backend):
+    scene = make_scene(count, "whole")
+    mapper, lights = make_mapper(name, scene, backend)
+    scene.draw(mapper, scene.lit if lights else scene.unlit)
+    times = [draw_next_frame(scene.window, scene.renderer)[0] for _ in range(WARM_UP + FRAMES)]
+    return {
+        "milliseconds": median(times[WARM_UP:]),
+        "mapper": mapper.GetClassName(),
+        "model": scene.model.name,
+        "triangles": scene.model.mesh.GetNumberOfPolys(),
+        "renderer": renderer_string(scene.window),
+    }
+
+
+def measure_errors(count, view, supersampling):
+    """PSNR by mapper, as it is and with FXAA."""
+    scene = make_scene(count, view)
+    truth = errors.draw_truth(scene)
+    result = {}
+    for name in (AUTO, PULL_PUSH):
+        mapper, _ = make_mapper(name, scene, "CPU")
+        mapper.SetSupersampling(supersampling)
+        result[name] = []
+        for fxaa in (False, True):
+            scene.renderer.SetUseFXAA(fxaa)
+            result[name].append(psnr(scene.draw(mapper, scene.lit), truth.color))
+    return result
+
+
+def measure(what, *case):
+    return {"time": measure_time, "errors": measure_errors}[what](*case)
+
+
+def judge(values, is_met):
+    """Whether a claim is met: of a value as it is, or with FXAA."""
+    if is_met(values[0]):
+        return "yes"
+    return "with FXAA" if len(values) > 1 and is_met(values[1]) else "no"
+
+
+def make_table(times=TIMES, wanted=None):
+    """The tables as Markdown."""
+    measured = {}
+
+    def time(name, count, backend):
+        key = name, count, backend if name in (AUTO, PULL_PUSH) else "CPU"
+        if key not in measured:
+            measured[key] = measure_apart(__file__, "time", *key)
+        return measured[key]
+
+    time_lines = []
+    for count, name, other, backend, most in times:
+        ours, theirs = time(name, count, backend), time(other, count, backend)
+        ratio = ours["milliseconds"] / theirs["milliseconds"]
+        cells = [f"{name}, {count} points, {backend}", other, f"{ours['milliseconds']:.1f}", f"{theirs['milliseconds']:.1f}"]
+        cells += [f"{ratio:.3f}", f"at most {most:g}", judge([ratio], lambda value: value <= most)]
+        time_lines.append("| " + " | ".join(cells) + " |")
+    error_lines = []
+    for (count, view, supersampling), least in (wanted or ERRORS).items():
+        result = measure_apart(__file__, "errors", count, view, supersampling)
+        scene = f"{count} points, {view}" + (f", {supersampling}x" if supersampling > 1 else "")
+        auto, pull_push = result[AUTO], result[PULL_PUSH]
+        behind = [a - b for a, b in zip(auto, pull_push)]
+        for name, values, aim, met in (
+            (AUTO, auto, f"{least:g}", judge(auto, lambda value: value >= least)),
+            (PULL_PUSH, pull_push, f"{BEHIND} below auto", judge(behind, lambda value: value <= BEHIND)),
+        ):
+            error_lines.append(f"| {scene} | {name} | {values[0]:.2f} | {values[1]:.2f} | {aim} | {met} |")
+    one = next(iter(measured.values()))
+    picked = next(result["mapper"] for (name, *_), result in measured.items() if name == AUTO)
+    return HEAD.format(
+        picked=picked, frames=FRAMES, size=errors.SIZE[0], times="\n".join(time_lines), errors="\n".join(error_lines), **one
+    )
+
+
+HEAD = """# What is claimed
+
+By `Testing/Benchmarks/claims.py`, on {renderer}, {size} x {size} pixels, points sampled on the model {model} (the bunny is
+of the Stanford University Computer Graphics Laboratory; its mesh has {triangles} triangles), by the protocol of
+`Testing/Benchmarks/errors.py`. auto is what vtkPointSurfaceMapperFactory picks where the processor draws, {picked}.
+
+Milliseconds of the wall a frame, the median of {frames}, camera moving. vtkPointGaussianMapper draws opaque discs of 0.7 of
+the radius, triangle scale 1.
+
+| drawn by | beside | ms | ms | ratio | aimed at | met |
+| --- | --- | ---: | ---: | ---: | --- | --- |
+{times}
+
+PSNR in dB, as the mapper draws, and with VTK's FXAA (`renderer.UseFXAAOn()`); met by the one or the other:
+
+| scene | drawn by | as it is | with FXAA | at least | met |
+| --- | --- | ---: | ---: | --- | --- |
+{errors}
+"""
+
+
+if __name__ == "__main__":
+    main(__file__, __doc__, measure, make_table)

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The benchmark of what is claimed: what it calls met, and that its table has what it measured."""
+
+import importlib
+import os
+
+import pytest
+
+BENCHMARKS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Benchmarks")
+
+
+@pytest.fixture(scope="module")
+def claims():
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(BENCHMARKS)
+        patch.setenv("POINTSURFACE_SHARED_DATA", "")  # no models
+        module = importlib.import_module("claims")
+        patch.setattr(module, "measure_apart", lambda script, *case: module.measure(*case))  # in this process
+        patch.setattr(module, "FRAMES", 1)
+        yield module
+
+
+def test_what_is_met(claims):
+    def at_least_two(value):
+        return value >= 2
+
+    assert claims.judge([2, 1], at_least_two) == "yes"
+    assert claims.judge([1, 2], at_least_two) == "with FXAA"
+    assert claims.judge([1, 1], at_least_two) == "no"
+    assert claims.judge([1], at_least_two) == "no"
+
+
+def test_table(claims):
+    times = [(5000, claims.AUTO, claims.GAUSSIAN, "CPU", 1e9), (5000, claims.PULL_PUSH, claims.AUTO, "CPU", 0)]
+    table = claims.make_table(times, {(5000, "whole", 1): 20, (5000, "zoomed", 2): 99})
+    print(table)
+    rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in table.splitlines() if line.startswith("| ")]
+    assert [row[-1] for row in rows if "5000 points, CPU" in row[0]] == ["yes", "no"]
+    auto = [row for row in rows if row[1] == claims.AUTO and row[0].startswith("5000")]
+    assert [row[-1] for row in auto if "points, CPU" not in row[0]] == ["yes", "no"]
+    assert all(20 < float(row[2]) < 99 for row in auto if "points, CPU" not in row[0])
+    assert "vtkSurfaceSplatMapper" in table
