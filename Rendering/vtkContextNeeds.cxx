@@ -42,6 +42,8 @@ public:
     glGetIntegerv(GL_TEXTURE_BINDING_2D, &this->BoundTexture);
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &this->BoundForDrawing);
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &this->BoundForReading);
+    glGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &this->BoundForUnpacking);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0); // or textures would be filled from it
     glGenFramebuffers(1, &this->Framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
   }
@@ -51,6 +53,7 @@ public:
     glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(this->BoundTexture));
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(this->BoundForDrawing));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(this->BoundForReading));
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(this->BoundForUnpacking));
     glDeleteFramebuffers(1, &this->Framebuffer);
     glDeleteTextures(static_cast<GLsizei>(this->Textures.size()), this->Textures.data());
     TakeErrors();
@@ -82,6 +85,7 @@ private:
   GLint BoundTexture = 0;
   GLint BoundForDrawing = 0;
   GLint BoundForReading = 0;
+  GLint BoundForUnpacking = 0;
   GLuint Framebuffer = 0;
   std::vector<GLuint> Textures;
 };

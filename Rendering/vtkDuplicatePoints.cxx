@@ -1,13 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDuplicatePoints.h"
 
+#include "vtkContextNeeds.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+namespace
+{
+size_t NumberOfTexels(size_t points)
+{
+  return (points + 3) / 4;
+}
+}
+
 vtkDuplicatePoints::vtkDuplicatePoints() = default;
 vtkDuplicatePoints::~vtkDuplicatePoints() = default;
+
+std::string vtkDuplicatePoints::FindLack(size_t points)
+{
+  return vtkContextNeeds::FindLackOfTextureBuffers(static_cast<vtkIdType>(NumberOfTexels(points)));
+}
 
 void vtkDuplicatePoints::Activate(
   vtkOpenGLRenderWindow* window, const std::vector<unsigned char>& points, vtkMTimeType time)
@@ -15,12 +29,12 @@ void vtkDuplicatePoints::Activate(
   if (this->Time != time)
   {
     std::vector<unsigned char> texels = points;
-    texels.resize((points.size() + 3) / 4 * 4);
+    texels.resize(4 * NumberOfTexels(points.size()));
     this->ReleaseGraphicsResources(window);
     this->Buffer->Upload(texels, vtkOpenGLBufferObject::TextureBuffer);
     this->Texels->SetContext(window);
     this->Texels->CreateTextureBuffer(
-      static_cast<unsigned int>(texels.size() / 4), 4, VTK_UNSIGNED_CHAR, this->Buffer);
+      static_cast<unsigned int>(NumberOfTexels(points.size())), 4, VTK_UNSIGNED_CHAR, this->Buffer);
     this->Time = time;
   }
   this->Texels->Activate();

@@ -11,6 +11,7 @@
 #include "vtkNew.h"
 #include "vtkType.h"
 
+#include <string>
 #include <vector>
 
 class vtkOpenGLBufferObject;
@@ -24,6 +25,11 @@ class vtkDuplicatePoints
 public:
   vtkDuplicatePoints();
   ~vtkDuplicatePoints();
+
+  /**
+   * What the current context lacks to hold so many points; see vtkContextNeeds.
+   */
+  static std::string FindLack(size_t points);
 
   /**
    * Binds the texture of these bytes (255 for a copy), made anew where `time` is not that of the

@@ -126,7 +126,8 @@ public:
   std::string LackOfTextures;              // without which nothing can be drawn
   std::string LackOfTargets;               // which the OpenGL back end needs
   std::string ToldLack;                    // that has been warned of
-  vtkMTimeType ColorTableTime = 0;         // of the colour table that was uploaded
+  std::string ToldLackOfDuplicates;
+  vtkMTimeType ColorTableTime = 0; // of the colour table that was uploaded
   std::map<std::string, vtkKeptArray> StandIns;
   bool TextureAtPoints = false; // the actor's texture is multiplied onto colours of points
   vtkKeptArray TexturedColors;
@@ -902,6 +903,25 @@ bool vtkPointSurfaceMapper::HasDuplicates() const
   return !this->Internals->Points.GetDuplicates().empty();
 }
 
+bool vtkPointSurfaceMapper::CanTellDuplicates()
+{
+  vtkInternals& internals = *this->Internals;
+  if (!this->HasDuplicates())
+  {
+    return false;
+  }
+  const std::string lack = vtkDuplicatePoints::FindLack(internals.Points.GetDuplicates().size());
+  if (!lack.empty() && lack != internals.ToldLackOfDuplicates)
+  {
+    internals.ToldLackOfDuplicates = lack;
+    vtkWarningMacro("This OpenGL context "
+      << lack << ", which tells copies of other processes' points (vtkGhostType) from this one's; "
+      << "they are drawn alike, so that pictures put together by depth may differ where processes "
+         "meet. Update the graphics driver, or spread the points over more processes.");
+  }
+  return lack.empty();
+}
+
 //------------------------------------------------------------------------------
 bool vtkPointSurfaceMapper::BeginsFrame() const
 {
@@ -1239,7 +1259,7 @@ void vtkPointSurfaceMapper::ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* 
 {
   vtkInternals& internals = *this->Internals;
   vtkSurfaceTarget& target = internals.Current->Target;
-  const bool duplicates = this->HasDuplicates();
+  const bool duplicates = this->CanTellDuplicates();
   if (internals.ShadedLayers != target.GetLayers() || internals.ShadedDuplicates != duplicates)
   {
     internals.ShadedLayers = target.GetLayers();

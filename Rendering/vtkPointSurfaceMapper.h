@@ -443,6 +443,7 @@ private:
   void MakeJointSurface(const vtkJointSurface& joint);
   bool BeginsFrame() const;
   bool HasDuplicates() const;
+  bool CanTellDuplicates(); ///< warns where they are there, and the context cannot hold them
   // Whether this call of VTK's was for the cloud to join, not to be drawn.
   bool JoinSurface(vtkActor* actor, const vtkPointSurfaceView& view);
   bool FindJointSurface(const vtkPointSurfaceView& view);

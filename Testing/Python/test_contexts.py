@@ -12,9 +12,12 @@ import os
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 from scenes import ACCURACY, BACKENDS, MAPPERS, Scene, difference, torus_cloud, torus_mesh
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import VTK_STRING
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes
 from vtkmodules.vtkRenderingCore import vtkActor, vtkHardwareSelector, vtkPolyDataMapper, vtkRenderer
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass
 
@@ -31,6 +34,8 @@ def hidden(*extensions):
 def lowered(**limits):
     return {"LD_PRELOAD": LIMITS, **{f"POINTSURFACE_TEST_{name}": str(value) for name, value in limits.items()}}
 
+
+COPIES = "copies"  # in the place of mappers' names
 
 # What a context lacks: how that is brought about, what is said of it, and of which mappers, if OpenGL was to draw them.
 FALLBACKS = {
@@ -125,6 +130,21 @@ def draw_by_pass(render_pass):
     return {"said": said, "covered": int((difference_to(picture, scene.renderer.GetBackground()) > 1).sum())}
 
 
+def draw_copies():
+    """A cloud whose last half are copies of another process' points, by shaders, twice."""
+    cloud = torus_cloud(5000)
+    copies = np.zeros(cloud.GetNumberOfPoints(), dtype=np.uint8)
+    copies[2500:] = vtkDataSetAttributes.DUPLICATEPOINT
+    ghosts = numpy_to_vtk(copies, deep=True)
+    ghosts.SetName(vtkDataSetAttributes.GhostArrayName())
+    cloud.GetPointData().AddArray(ghosts)
+    scene = Scene(vtkPullPushMapper, cloud, size=(150, 150))
+    said = listen(scene.mapper)
+    scene.color()
+    scene.color()
+    print(json.dumps({"said": said, "cloud": int((scene.depth() < 1).sum())}))
+
+
 def main(names):
     """What is drawn in the context of this process, as a line of JSON."""
     classes = [m for m in MAPPERS if m.__name__ in names]
@@ -135,9 +155,9 @@ def main(names):
 
 
 @functools.lru_cache(maxsize=None)
-def run(classes, environment):
+def run(names, environment):
     process = subprocess.run(
-        [sys.executable, __file__, *(m.__name__ for m in classes)],
+        [sys.executable, __file__, *names],
         env={**os.environ, **dict(environment)},
         capture_output=True,
         text=True,
@@ -147,10 +167,10 @@ def run(classes, environment):
     return json.loads(process.stdout.splitlines()[-1])
 
 
-def drawn_in(environment, classes=MAPPERS):
+def drawn_in(environment, names=tuple(m.__name__ for m in MAPPERS)):
     if "LD_PRELOAD" in environment and not LIMITS:
         pytest.skip("the library that lowers limits is built with the C++ tests alone")
-    return run(tuple(classes), tuple(environment.items()))
+    return run(tuple(names), tuple(environment.items()))
 
 
 def cases(table):
@@ -174,7 +194,7 @@ def test_versions_that_are_enough(name, mapper_class, backend):
 @cases(FALLBACKS)
 def test_the_processor_takes_over(name, mapper_class, backend):
     environment, words, classes = FALLBACKS[name]
-    drawn = drawn_in(environment, classes)[f"{mapper_class.__name__} {backend}"]
+    drawn = drawn_in(environment, [m.__name__ for m in classes])[f"{mapper_class.__name__} {backend}"]
     check_drawn(mapper_class, drawn)
     assert drawn["backend"] == "CPU"
     if backend == "CPU":
@@ -194,6 +214,18 @@ def test_without_what_shading_needs(name, mapper_class, backend):
     assert drawn["mesh"] > 3000  # what lies beside it is drawn
 
 
+@pytest.mark.parametrize("largest", [1000, 1250])
+def test_copies_of_points_need_large_texture_buffers(largest):
+    """A texel is of four points."""
+    drawn = drawn_in(lowered(TEXTURE_BUFFER_SIZE=largest), [COPIES])
+    assert drawn["cloud"] > 3000
+    if largest == 1000:
+        (said,) = drawn["said"]  # once, in two frames
+        assert said.startswith("WarningEvent") and "up to 1000, not 1250 texels" in said and "are drawn alike" in said
+    else:
+        assert drawn["said"] == []
+
+
 @pytest.mark.parametrize("name", ["float depths", *REFUSALS])
 def test_passes(name):
     """A pass that filters leaves what it was to filter as it is; clouds of one that joins them are each drawn, or not."""
@@ -207,4 +239,7 @@ def test_passes(name):
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    if sys.argv[1:] == [COPIES]:
+        draw_copies()
+    else:
+        main(sys.argv[1:])
