@@ -12,17 +12,23 @@ if __name__ == "__main__" and not getattr(sys.flags, "safe_path", False):
 import importlib
 from typing import NamedTuple
 
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+
 
 class Format(NamedTuple):
-    """The reader of VTK's for an extension: its module in vtkmodules, its name, how it takes the path, and whether it is
-    tried first: on files that are broken it crashes, or prints a line and goes on."""
+    """The reader or importer of VTK's for an extension: its module in vtkmodules, its name, how it takes the path, whether
+    it is tried first (on files that are broken it crashes, or prints a line and goes on), and which output is taken."""
 
     module: str
     reader: str
     takes_path: str = "SetFileName"
     is_tried: bool = True
+    port: int = 0
 
 
+_AMR = Format("vtkIOXML", "vtkXMLUniformGridAMRReader", is_tried=False)
 _XML = Format("vtkIOXML", "vtkXMLGenericDataObjectReader", is_tried=False)
 _META = Format("vtkIOImage", "vtkMetaImageReader")
 _NRRD = Format("vtkIOImage", "vtkNrrdReader", is_tried=False)
@@ -35,6 +41,7 @@ _EXODUS = Format("vtkIOExodus", "vtkExodusIIReader")
 _HDF = Format("vtkIOHDF", "vtkHDFReader")
 _NETCDF = Format("vtkIONetCDF", "vtkNetCDFCFReader")
 _TECPLOT = Format("vtkIOGeometry", "vtkTecplotReader")
+_VRML = Format("vtkIOImport", "vtkVRMLImporter")
 _XDMF = Format("vtkIOXdmf2", "vtkXdmfReader")
 
 FORMATS = {
@@ -46,7 +53,9 @@ FORMATS = {
     "ncdf": _NETCDF,
     "xdmf": _XDMF,
     "xmf": _XDMF,
+    "pvtk": Format("vtkIOParallel", "vtkPDataSetReader"),
     # volumes
+    "cube": Format("vtkIOChemistry", "vtkGaussianCubeReader2", port=1),
     "dcm": Format("vtkIOImage", "vtkDICOMImageReader", takes_path="SetDirectoryName"),
     "mha": _META,
     "mhd": _META,
@@ -62,11 +71,23 @@ FORMATS = {
     "tiff": _TIFF,
     "vti": Format("vtkIOXML", "vtkXMLImageDataReader", is_tried=False),
     "vtr": _XML,
+    # volumes of levels, finer where that is needed (AMR)
+    "amrex": Format("vtkIOAMR", "vtkAMReXGridReader"),
+    "flash": Format("vtkIOAMR", "vtkAMRFlashReader"),
+    "hierarchy": Format("vtkIOAMR", "vtkAMREnzoReader"),
+    "vth": _AMR,
+    "vthb": _AMR,
+    "xamr": Format("vtkIOAMR", "vtkAMRVelodyneReader"),
     # points, alone or of meshes
+    "3ds": Format("vtkIOImport", "vtk3DSImporter"),
     "byu": Format("vtkIOGeometry", "vtkBYUReader"),
+    "cml": Format("vtkIOChemistry", "vtkCMLMoleculeReader"),
+    "facet": Format("vtkFiltersHybrid", "vtkFacetReader"),
+    "geojson": Format("vtkIOGeoJSON", "vtkGeoJSONReader"),
     "glb": _GLTF,
     "gltf": _GLTF,
     "gml": Format("vtkIOCityGML", "vtkCityGMLReader"),
+    "h5part": Format("vtkIOH5part", "vtkH5PartReader"),
     "obj": Format("vtkIOGeometry", "vtkOBJReader", is_tried=False),
     "off": Format("vtkIOGeometry", "vtkOFFReader"),
     "pdb": Format("vtkIOChemistry", "vtkPDBReader"),
@@ -74,7 +95,10 @@ FORMATS = {
     "pvtp": _XML,
     "stl": Format("vtkIOGeometry", "vtkSTLReader", is_tried=False),
     "tag": Format("vtkIOMINC", "vtkMNITagPointReader"),
+    "tri": Format("vtkIOGeometry", "vtkMCubesReader"),
+    "vrml": _VRML,
     "vtp": Format("vtkIOXML", "vtkXMLPolyDataReader", is_tried=False),
+    "wrl": _VRML,
     # points of grids
     "cas": Format("vtkIOGeometry", "vtkFLUENTReader"),
     "case": _ENSIGHT,
@@ -85,6 +109,7 @@ FORMATS = {
     "exii": _EXODUS,
     "exo": _EXODUS,
     "foam": Format("vtkIOGeometry", "vtkOpenFOAMReader"),
+    "htg": Format("vtkIOXML", "vtkXMLHyperTreeGridReader"),
     "inp": Format("vtkIOGeometry", "vtkAVSucdReader"),
     "neu": Format("vtkIOGeometry", "vtkGAMBITReader"),
     "p3d": Format("vtkIOParallel", "vtkPlot3DMetaReader"),
@@ -105,21 +130,106 @@ FORMATS = {
 }
 
 
+# VTK's other readers and importers, and why they have no row.
+NOT_READ = {
+    "what all readers of a kind share, not a format": """
+        vtkAbstractPolyDataReader vtkAMRBaseParticlesReader vtkAMRBaseReader vtkDatabaseToTableReader vtkDataReader
+        vtkEnSightReader vtkImageReader2Factory vtkImporter vtkMedicalImageReader2 vtkMoleculeReaderBase vtkParallelReader
+        vtkReaderAlgorithm vtkSimpleReader vtkVolumeReader vtkXMLCompositeDataReader vtkXMLDataReader vtkXMLPDataObjectReader
+        vtkXMLPDataReader vtkXMLPStructuredDataReader vtkXMLPUnstructuredDataReader vtkXMLReader vtkXMLStructuredDataReader
+        vtkXMLUnstructuredDataReader""",
+    "behind a reader of the table that finds out what a file holds": """
+        vtkCompositeDataReader vtkDataObjectReader vtkDataSetReader vtkEnSight6BinaryReader vtkEnSight6Reader
+        vtkEnSightGoldBinaryReader vtkEnSightGoldReader vtkMultiBlockPLOT3DReader vtkNetCDFReader vtkPolyDataReader
+        vtkRectilinearGridReader vtkStructuredGridReader vtkStructuredPointsReader vtkUnstructuredGridReader
+        vtkXMLHierarchicalBoxDataReader vtkXMLHierarchicalDataReader vtkXMLMultiBlockDataReader
+        vtkXMLMultiGroupDataReader vtkXMLPHyperTreeGridReader vtkXMLPImageDataReader vtkXMLPPolyDataReader
+        vtkXMLPRectilinearGridReader vtkXMLPStructuredGridReader vtkXMLPUnstructuredGridReader vtkXMLRectilinearGridReader
+        vtkXMLStructuredGridReader vtkXMLUnstructuredGridReader""",
+    "the same files as a reader of the table, by several processes or in another way": """
+        vtkCGNSFileSeriesReader vtkCONVERGECFDCGNSReader vtkCPExodusIIInSituReader vtkEnSightGoldCombinedReader
+        vtkGaussianCubeReader vtkGLTFImporter vtkIOSSReader vtkMPIImageReader vtkMPIMultiBlockPLOT3DReader vtkOBJImporter
+        vtkOMETIFFReader vtkPChacoReader vtkPExodusIIReader vtkPLSDynaReader vtkPNetCDFPOPReader vtkPNrrdReader
+        vtkPOpenFOAMReader vtkPSLACReader vtkPWindBladeReader vtkRTXMLPolyDataReader""",
+    "the module readers reads such text itself": "vtkPTSReader vtkParticleReader vtkSimplePointsReader",
+    "tables, graphs, trees, transforms or models: neither points of a surface nor a volume": """
+        vtkArrayDataReader vtkArrayReader vtkBiomTableReader vtkChacoGraphReader vtkChacoReader vtkDelimitedTextReader
+        vtkDIMACSGraphReader vtkFixedWidthTextReader vtkGraphReader vtkISIReader vtkLegacyStatisticalModelReader
+        vtkMNITransformReader vtkMultiNewickTreeReader vtkNewickTreeReader vtkPhyloXMLTreeReader vtkRISReader
+        vtkSQLiteToTableReader vtkTableReader vtkTecplotTableReader vtkTemporalDelimitedTextReader vtkTreeReader
+        vtkTulipReader vtkXGMLReader vtkXMLPTableReader vtkXMLStatisticalModelReader vtkXMLTableReader vtkXMLTreeReader""",
+    "cells of any order (vtkCellGrid), which have no points": """
+        vtkCellGridReader vtkCompositeCellGridReader vtkIOSSCellGridReader vtkLegacyCellGridReader""",
+    "flat pictures": "vtkBMPReader vtkDEMReader vtkHDRReader vtkJPEGReader vtkPNGReader vtkPNMReader vtkTGAReader",
+    "bytes whose sizes no header tells": "vtkImageReader vtkImageReader2 vtkVolume16Reader",
+    "has the extension of a reader of the table, or none of its own": """
+        vtkAMReXParticlesReader vtkAMREnzoParticlesReader vtkAMRFlashParticlesReader vtkCesium3DTilesReader
+        vtkCONVERGECFDReader vtkEnSightMasterServerReader vtkEnSightSOSGoldReader vtkFLUENTCFFReader vtkGESignaReader
+        vtkMFIXReader vtkMNIObjectReader vtkMPASReader vtkNetCDFCAMReader vtkNetCDFPOPReader vtkNetCDFUGRIDReader
+        vtkSEPReader vtkSLACParticleReader vtkSLACReader vtkTRUCHASReader vtkVASPAnimationReader vtkVASPTessellationReader
+        vtkVeraOutReader vtkXYZMolReader vtkXYZMolReader2""",
+    "no small file of it was to be had to test this with": """
+        vtkAvmeshReader vtkBTSReader vtkCesiumB3DMReader vtkERFReader vtkFDSReader vtkH5RageReader vtkLANLX3DReader
+        vtkLSDynaReader vtkMotionFXCFGReader vtkNek5000Reader vtkOMFReader vtkPIOReader vtkVPICReader vtkWindBladeReader""",
+}
+
+
 def reader_class(form):
     """Raises ImportError or AttributeError where this VTK has no such module or class."""
     return getattr(importlib.import_module(f"vtkmodules.{form.module}"), form.reader)
 
 
+class Scene:
+    """An importer of VTK's in the guise of a reader: its output has a block for each actor, in its place."""
+
+    def __init__(self, importer):
+        import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  makes actors and mappers
+
+        self._importer = importer
+        self._output = vtkMultiBlockDataSet()
+
+    def __getattr__(self, name):
+        return getattr(self._importer, name)
+
+    def Update(self):
+        run = getattr(self._importer, "Update", None) or self._importer.Read  # the name until VTK 9.3
+        run()
+        actors = self._importer.GetRenderer().GetActors()
+        for i in range(actors.GetNumberOfItems()):
+            actor = actors.GetItemAsObject(i)
+            mapper, place = actor.GetMapper(), vtkTransform()
+            if mapper is None or mapper.GetNumberOfInputConnections(0) == 0:
+                continue
+            place.SetMatrix(actor.GetMatrix())
+            moved = vtkTransformPolyDataFilter()
+            moved.SetTransform(place)
+            moved.SetInputConnection(mapper.GetInputConnection(0, 0))
+            moved.Update()
+            self._output.SetBlock(i, moved.GetOutput())
+
+    def GetOutputDataObject(self, _port):
+        return self._output
+
+
 def make_reader(form, path):
-    """A reader that has been told the path, and to read all arrays of points."""
+    """A reader that has been told the path, and to read all arrays."""
     reader = reader_class(form)()
     getattr(reader, form.takes_path)(path)
-    if form.reader == "vtkExodusIIReader":
+    if form.reader.endswith("Importer"):
+        return Scene(reader)
+    if form == _AMR:
+        reader.SetMaximumLevelsToReadByDefault(0)  # which is all
+    elif form.reader == "vtkExodusIIReader":
         reader.UpdateInformation()
         reader.SetAllArrayStatus(reader.NODAL, 1)
     elif hasattr(reader, "EnableAllPointArrays"):
         reader.UpdateInformation()
         reader.EnableAllPointArrays()
+    elif form.module == "vtkIOAMR":
+        reader.UpdateInformation()
+        reader.SetMaxLevel(reader.GetNumberOfLevels())
+        for i in range(reader.GetNumberOfCellArrays()):
+            reader.SetCellArrayStatus(reader.GetCellArrayName(i), 1)
     return reader
 
 

@@ -11,10 +11,20 @@ import warnings
 from contextlib import nullcontext
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkVersion
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkImageData, vtkPointSet, vtkPolyData, vtkRectilinearGrid
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+from vtkmodules.vtkCommonDataModel import (
+    vtkCompositeDataSet,
+    vtkHyperTreeGrid,
+    vtkImageData,
+    vtkMolecule,
+    vtkPointSet,
+    vtkPolyData,
+    vtkRectilinearGrid,
+    vtkUniformGridAMR,
+)
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCellDataToPointData, vtkResampleToImage
+from vtkmodules.vtkFiltersHyperTree import vtkHyperTreeGridToUnstructuredGrid
 
 from . import formats, scans
 from .clouds import make_cloud
@@ -27,8 +37,9 @@ def read(path, tell=False):
 
     By extension (upper case, too), as the module formats tells, with what VTK has a reader for: volumes, with one component
     of active scalars, evenly spaced; a tif has a slice a picture, and a folder of dcm files is a volume of slices; points,
-    with normals, colours and polygons if the file has them; of grids their points; of trees all blocks' points as one
-    cloud, with the arrays that all have.
+    with normals, colours and polygons if the file has them; of grids their points, of molecules their atoms, of scenes
+    what is on stage, in its place; of trees all blocks' points as one cloud, with the arrays that all have. Volumes of
+    levels (AMR) are sampled evenly, as finely as their finest level, but at no more than 2^24 places.
     las, laz, e57: as the module scans tells; pcd, where PointSurface was built with PCL: as vtkPCDReader tells;
     xyz (text, one point a line: x y z, or x y z nx ny nz, or x y z r g b with colours of 0 to 255; blanks or commas
     between the numbers; comments start with # or //); pts (text; behind a line with their number, one point a line:
@@ -41,8 +52,10 @@ def read(path, tell=False):
         raise UnreadableFile(f"{path} does not exist")
     if not os.access(path, os.R_OK):
         raise UnreadableFile(f"{path} may not be read by this user")
-    if os.path.isdir(path) and not _is_dicom(path):
-        raise UnreadableFile(f"{path} is a folder without slices (.dcm); a file, or a folder of such, is needed")
+    if os.path.isdir(path) and _kind_of_folder(path) is None:
+        raise UnreadableFile(
+            f"{path} is a folder without slices (.dcm) and no plotfile of AMReX; a file, or a folder of such, is needed"
+        )
 
     extension = _extension(path)
     if extension in _TEXTS:
@@ -51,6 +64,8 @@ def read(path, tell=False):
         data = scans.read(path, extension, tell)
     else:
         data = _points_or_volume(path, _read_with_vtk(path, extension, tell))
+        if extension == "cube":
+            _place_cube(path, data)
     if isinstance(data, vtkImageData):
         _check_volume(path, data)
     else:
@@ -58,14 +73,17 @@ def read(path, tell=False):
     return data
 
 
-def _is_dicom(folder):
-    return any(name.lower().endswith(".dcm") for name in os.listdir(folder))
+def _kind_of_folder(folder):
+    names = os.listdir(folder)
+    if any(name.lower().endswith(".dcm") for name in names):
+        return "dcm"
+    return "amrex" if {"Header", "Level_0"} <= set(names) else None
 
 
 def _extension(path):
     if os.path.isdir(path):
-        return "dcm"
-    name = os.path.basename(path).lower()
+        return _kind_of_folder(path)
+    name = "." + os.path.basename(path).lower()  # so that a name may be an extension and nothing else
     known = (*formats.FORMATS, "pcd", *_TEXTS, *scans.READERS)
     for extension in known:
         if name.endswith("." + extension):
@@ -88,7 +106,7 @@ def _read_with_vtk(path, extension, tell):
     errors = said("ERROR")
     if errors:
         raise UnreadableFile(f"{path} cannot be read: {reader.GetClassName()} says: {errors[0]}")
-    return reader.GetOutputDataObject(0)
+    return reader.GetOutputDataObject(form.port if form else 0)
 
 
 def _require_reader(form, path):
@@ -105,8 +123,8 @@ def _require_reader(form, path):
 _TRIAL_SECONDS = 30.0
 _TRIAL_SECONDS_PER_MEGABYTE = 2.0
 
-# What has its data in other files: of the same folder, or (foam) of folders in it.
-_HEADERS = ("cas", "case", "dcm", "encas", "foam", "mhd", "p3d", "vrt", "xdmf", "xmf")
+# What has its data in other files: of the same folder, or (amrex, foam) of folders in it.
+_HEADERS = ("amrex", "cas", "case", "dcm", "encas", "foam", "hierarchy", "mhd", "p3d", "vrt", "xdmf", "xmf")
 
 
 def _bytes_to_read(path, extension):
@@ -114,7 +132,7 @@ def _bytes_to_read(path, extension):
     if extension not in _HEADERS:
         return os.path.getsize(path)
     folder = path if os.path.isdir(path) else os.path.dirname(os.path.abspath(path))
-    names = glob.iglob(os.path.join(glob.escape(folder), "**" if extension == "foam" else "*"), recursive=True)
+    names = glob.iglob(os.path.join(glob.escape(folder), "**" if extension in ("amrex", "foam") else "*"), recursive=True)
     return sum(os.path.getsize(name) for name in names if os.path.isfile(name))
 
 
@@ -288,19 +306,68 @@ def _check_tag(path):
             raise UnreadableFile(f"{path} is no tag file, or cut short: it does not end with a semicolon")
 
 
+def _check_tri(path):
+    """VTK takes whatever bytes there are for triangles: of corners, each with a normal, in single precision."""
+    size = os.path.getsize(path)
+    if size % 72:
+        raise UnreadableFile(f"{path} is no file of triangles, or cut short: its {size} bytes are not 72 a triangle")
+
+
 def _check_dcm(path):
     if not os.path.isdir(path):
         raise UnreadableFile(f"{path} is a slice of a volume; give the folder that has all of them")
 
 
+def _check_amrex(path):
+    if not os.path.isdir(path):
+        raise UnreadableFile(f"{path} is no plotfile of AMReX: that is a folder, with a file Header and a folder Level_0")
+
+
+def _cube_header(path):
+    """The number of atoms, and by axis, the origin first: how many samples, and the step from one to the next, in Bohr."""
+    with open(path, encoding="utf-8", errors="replace") as file:
+        lines = [line.split() for _, line in zip(range(6), file)]
+    try:
+        atoms, *axes = [(int(line[0]), np.array([float(word) for word in line[1:4]])) for line in lines[2:]]
+        if len(axes) != 3 or any(step.size != 3 for _, step in (atoms, *axes)):
+            raise ValueError(f"{len(lines)} lines")
+    except (IndexError, ValueError) as error:
+        raise UnreadableFile(f"{path} is no cube file: its header makes no sense at {error}") from error
+    return atoms[0], atoms[1], axes
+
+
+def _check_cube(path):
+    atoms, _, axes = _cube_header(path)
+    steps = np.array([step for _, step in axes])
+    if atoms < 0:
+        raise UnreadableFile(f"{path} holds several orbitals; a cube file of one volume is needed (cubegen's, say)")
+    if np.any(steps[~np.eye(3, dtype=bool)] != 0) or np.any(np.diag(steps) <= 0):
+        raise UnreadableFile(f"{path}: its axes are not along x, y and z; resample it to a vti first")
+    needed = 6 + atoms + 1
+    with open(path, encoding="utf-8", errors="replace") as file:
+        found = sum(len(line.split()) for i, line in enumerate(file, 1) if i >= needed)
+    if found < np.prod([count for count, _ in axes]):
+        raise UnreadableFile(f"{path} is cut short: its header asks for more than the {found} values that follow it")
+
+
+def _place_cube(path, volume):
+    """VTK leaves out where the samples are."""
+    _, origin, axes = _cube_header(path)
+    volume.SetOrigin(origin)
+    volume.SetSpacing([step[axis] for axis, (_, step) in enumerate(axes)])
+
+
 # What VTK's readers do not notice.
 _CHECKS = {
+    "amrex": _check_amrex,
+    "cube": _check_cube,
     "dcm": _check_dcm,
     "mrc": _check_mrc,
     "pcd": _check_pcd,
     "ply": _check_ply,
     "stl": _check_stl,
     "tag": _check_tag,
+    "tri": _check_tri,
     **dict.fromkeys(("e", "ex2", "exii", "exo", "mnc", "nc", "ncdf"), _check_netcdf),
 }
 
@@ -313,8 +380,14 @@ def _points_or_volume(path, data):
         return _even_volume(path, data)
     if isinstance(data, vtkPointSet):
         return _points_of_grid(data)
+    if isinstance(data, vtkUniformGridAMR):
+        return _even_volume_of_levels(path, data)
     if isinstance(data, vtkCompositeDataSet):
         return _points_of_blocks(data)
+    if isinstance(data, vtkMolecule):
+        return _atoms(data)
+    if isinstance(data, vtkHyperTreeGrid):
+        return _points_of_tree(data)
     raise UnreadableFile(f"{path} holds neither points nor a volume but a {data.GetClassName() if data else 'nothing'}")
 
 
@@ -330,6 +403,59 @@ def _even_volume(path, grid):
     volume.SetSpacing(*(step.mean() if step.size else 1.0 for step in steps))
     volume.GetPointData().ShallowCopy(grid.GetPointData())
     return volume
+
+
+_MOST_SAMPLES = 2**24
+
+
+def _even_volume_of_levels(path, levels):
+    """Between the centres of the cells of each block, whose values they have, linear; nan outside of all blocks."""
+    steps = []
+    blocks = levels.NewIterator()
+    while not blocks.IsDoneWithTraversal():
+        steps.append(blocks.GetCurrentDataObject().GetSpacing())
+        blocks.GoToNextItem()
+    if not steps:
+        raise UnreadableFile(f"{path} holds no blocks")
+    at_points = vtkCellDataToPointData()
+    at_points.SetInputDataObject(levels)
+    bounds = [0.0] * 6
+    levels.GetBounds(bounds)
+    extent = np.array(bounds[1::2]) - bounds[::2]
+    samples = 1 + np.rint(extent / np.min(steps, axis=0))
+    samples = np.maximum(samples * min(1, (_MOST_SAMPLES / samples.prod()) ** (1 / 3)), 1).astype(int)
+    even = vtkResampleToImage()
+    even.SetInputConnection(at_points.GetOutputPort())
+    even.SetUseInputBounds(True)
+    even.SetSamplingDimensions(*map(int, samples))
+    even.Update()
+    volume = vtkImageData()
+    volume.CopyStructure(even.GetOutput())
+    data = even.GetOutput().GetPointData()
+    is_outside = vtk_to_numpy(data.GetArray("vtkValidPointMask")) == 0
+    for i in range(data.GetNumberOfArrays()):
+        name = data.GetArrayName(i)
+        if data.GetArray(i) is None or name in ("vtkValidPointMask", "vtkGhostType"):
+            continue
+        values = vtk_to_numpy(data.GetArray(i)).astype(float)
+        values[is_outside] = np.nan
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName(name)
+        volume.GetPointData().AddArray(array)
+    return volume
+
+
+def _atoms(molecule):
+    cloud = vtkPolyData()
+    cloud.SetPoints(molecule.GetAtomicPositionArray())
+    return cloud
+
+
+def _points_of_tree(tree):
+    grid = vtkHyperTreeGridToUnstructuredGrid()
+    grid.SetInputData(tree)
+    grid.Update()
+    return _points_of_grid(grid.GetOutput())
 
 
 def _points_of_grid(grid):

@@ -7,26 +7,36 @@ The formats that most people use are in test_readers.py, with more cases.
 import base64
 import json
 import struct
+import subprocess
+import sys
 import zlib
 
 import numpy as np
 import pytest
 from test_readers import check_fault, ramp, tetrahedron
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkCommonDataModel import (
     VTK_TETRA,
+    vtkAMRBox,
     vtkCellArray,
+    vtkHyperTreeGrid,
+    vtkHyperTreeGridNonOrientedCursor,
+    vtkOverlappingAMR,
     vtkPartitionedDataSet,
     vtkPartitionedDataSetCollection,
     vtkPolyData,
+    vtkUniformGrid,
 )
 from vtkmodules.vtkIOExodus import vtkExodusIIWriter
 from vtkmodules.vtkIOGeometry import vtkBYUWriter
 from vtkmodules.vtkIOMINC import vtkMINCImageWriter, vtkMNITagPointWriter
+from vtkmodules.vtkIOParallel import vtkPDataSetWriter
 from vtkmodules.vtkIOParallelXML import vtkXMLPartitionedDataSetCollectionWriter, vtkXMLPartitionedDataSetWriter
+from vtkmodules.vtkIOXML import vtkXMLHyperTreeGridWriter, vtkXMLUniformGridAMRWriter
 
 from pointsurface import subjects
-from pointsurface.formats import FORMATS
+from pointsurface.formats import FORMATS, NOT_READ
 from pointsurface.readers import read
 
 CORNERS = np.eye(4)[:, :3]  # of the tetrahedron, which has "height", 0 to 3, at them
@@ -139,7 +149,15 @@ AziIGc6Gw5jFERzFMRzHCaQxh5M4hdM4g7M4h3mcxwVcxCVcxhVc5V3MddzATWRwC7dxh7P2Hu7jAR7i
 ebXMnF97Z7lapW3Wp3vP8P0UD/Lr4XfgEjmp41
 """
 
+def write_cube(path):
+    """Lengths in Bohr; z runs fastest."""
+    values = " ".join(f"{value:.5e}" for value in VALUES.transpose().ravel())
+    axes = "12 1 0 0\n3 0 2 0\n2 0 0 3\n"
+    path.write_text(f"ramp\nvalues\n1 0 0 0\n{axes}6 6.0 1 2 3\n{values}\n")
+
+
 VOLUMES = {
+    "cube": write_cube,
     "dicom": write_dicom,
     "mnc": lambda path: write(path, vtkMINCImageWriter(), ramp()),
     "nc": write_netcdf,
@@ -164,10 +182,183 @@ def test_volumes(tmp_path, extension):
         assert np.array_equal(values, VALUES)
 
 
+def test_cubes_that_are_none(tmp_path):
+    path = tmp_path / "orbitals.cube"
+    write_cube(path)
+    content = path.read_text()
+    for old, new, words in (
+        ("1 0 0 0", "-1 0 0 0", "several orbitals"),
+        ("12 1 0 0", "12 1 0.5 0", "its axes are not along x, y and z"),
+        ("12 1 0 0", "12 one 0 0", "'one'"),
+        ("12 1 0 0", "120 1 0 0", "cut short"),
+    ):
+        path.write_text(content.replace(old, new, 1))
+        check_fault(path, words)
+
+
+# Volumes of levels: x + 10 y + 100 z at the centres of cells, of 4 x 4 x 4 cells of 1 from the origin on, and in the middle
+# of these, where there is a second level, of as many of 0.5.
+
+
+def linear(points):
+    return points @ (1, 10, 100)
+
+
+def block(level):
+    """Where it begins, and its cells' size."""
+    return level * 1.0, 0.5**level
+
+
+def cell_values(level):
+    begin, size = block(level)
+    centers = begin + (np.arange(4) + 0.5) * size
+    return linear(np.stack(np.meshgrid(centers, centers, centers, indexing="ij")[::-1], axis=-1))
+
+
+def write_amr(path):
+    levels = vtkOverlappingAMR()
+    try:
+        levels.Initialize([1, 1])
+    except TypeError:  # before VTK 9.6
+        levels.Initialize(2, [1, 1])
+    levels.SetOrigin((0, 0, 0))
+    levels.SetGridDescription(8)  # along x, y and z
+    for level in range(2):
+        begin, size = block(level)
+        grid = vtkUniformGrid()
+        grid.SetOrigin([begin] * 3)
+        grid.SetDimensions(5, 5, 5)
+        grid.SetSpacing([size] * 3)
+        values = numpy_to_vtk(cell_values(level).ravel(), deep=True)
+        values.SetName("v")
+        grid.GetCellData().AddArray(values)
+        levels.SetSpacing(level, [size] * 3)
+        levels.SetAMRBox(level, 0, vtkAMRBox([begin] * 3, [5] * 3, [size] * 3, [0] * 3))
+        levels.SetDataSet(level, 0, grid)
+    levels.SetRefinementRatio(0, 2)
+    write(path, vtkXMLUniformGridAMRWriter(), levels)
+
+
+def write_amrex(path):
+    """A folder: a header, and of each level a header and values."""
+    path.mkdir()
+    boxes = ["((0,0,0) (3,3,3) (0,0,0))", "((2,2,2) (5,5,5) (0,0,0))"]
+    rows = ["HyperCLaw-V1.1", "1", "v", "3", "0", "1", "0 0 0", "4 4 4", "2", f"{boxes[0]} ((0,0,0) (7,7,7) (0,0,0))"]
+    rows += ["0 0", "1 1 1", "0.5 0.5 0.5", "0", "0"]
+    for level, box in enumerate(boxes):
+        begin, size = block(level)
+        rows += [f"{level} 1 0", "0", *[f"{begin} {begin + 4 * size}"] * 3, f"Level_{level}/Cell"]
+        folder = path / f"Level_{level}"
+        folder.mkdir()
+        (folder / "Cell_H").write_text(f"1\n1\n1\n0\n(1 0\n{box}\n)\n1\nFabOnDisk: Cell_D 0\n\n1,1\n0,\n\n1,1\n999,\n")
+        head = f"FAB ((8, (64 11 52 0 1 12 0 1023)),(8, (8 7 6 5 4 3 2 1))){box} 1\n"
+        (folder / "Cell_D").write_bytes(head.encode() + cell_values(level).astype("<f8").tobytes())
+    (path / "Header").write_text("\n".join(rows) + "\n")
+
+
+def write_enzo(path):
+    path.with_suffix("").write_text("InitialCycleNumber = 0\nInitialTime = 0\nTopGridRank = 3\n")
+    path.with_suffix(".boundary").write_text("")
+    unpack(ENZO, path.with_suffix(".grid"))
+    text = ""
+    for level in range(2):
+        begin, size = block(level)
+        text += (
+            f"Grid = {level + 1}\nGridRank = 3\nGridDimension = 4 4 4\nGridStartIndex = 0 0 0\nGridEndIndex = 3 3 3\n"
+            f"GridLeftEdge = {begin} {begin} {begin}\nGridRightEdge = {' '.join([str(begin + 4 * size)] * 3)}\nTime = 0\n"
+            f"NumberOfBaryonFields = 1\nBaryonFileName = {path.stem}.grid\nNumberOfParticles = 0\n"
+            f"Pointer: Grid[{level + 1}]->NextGridThisLevel = 0\n"
+            f"Pointer: Grid[{level + 1}]->NextGridNextLevel = {2 - 2 * level}\n"
+        )
+    path.write_text(text)
+
+
+def unpack(text, path):
+    path.write_bytes(zlib.decompress(base64.b64decode(text)))
+
+
+# In HDF5: Enzo's groups of both levels; of one level, what Velodyne and Flash (version 2) write.
+ENZO = """
+eNrt1zts01AUgGE/YmFakBI1IAsxZGDwGFAHbwSpAUu8QgvIA0OBAK7EIxRUMnY0W0ePHT0wMDBkYOjA4JExY0aPHT0ghZjzu2oMiKgIVCk+y6dzfR+K78mV
+73t35erphXMLShamqVSUqnI4xkR4djrPn6+jigFGWt6u/nhm0V5j/mK/u6vtdtZ7XIh8nZEhWkoZ8xhu+0on0yO3Mdam+13b3Og2JS4W8kuH67Q547q/q19X
+l9w3ZqtfxxTNcivL+p1EfsoGxnS/rcJ56v7lumu3bq+oinZQdw29MH+hjvM6365N94vI46X53D9VMeRdqHnuiLo0VOg3q/rkTWcja43L7E1LWV5UlsfshzFp
+zZ5rmqbKuSE7o6vbJ5micPL5//V9SF2pB3Vlnyj/40eOvestKYEb4h62borrHXEXR9i4Q75KvkZ/3M3ze+Q4wsZ9sfdY3MGP+DXPu+S4j9Un5Fh9Kjaxk+fP
+yLGHO7j/SjR7ooU2hhjhAGN0XosueujjEBNM0dxk/Bbj0UMfh5hgiuY7sY8Bhhih1ef3oIMueg9ZD/sYYIrmI+ZDG0OMcIAxOuyjix76GLIPEQ4wRsdnPHro
+4xATTNHc4PdggCFGOHzBeEzRfMl4DDDECC3qx0YHXRxgjENM8BR1UMfzeAEfYBef41v8gJ/wM37Bb1h5w3pYxzLKKGNOvyt/fb8sfm//6X7ZOVPeL8v75c/3
+y2Tp394vj9G9aPE43ota9bI2jxLfAXNz/WM=
+"""
+VELODYNE = """
+eNrtmD1QGkEUx3cPGC8IGZx8cDEpKFJQWqSgExN0biagBIxzpaecgQkEAkqwsySdpaUlZUpLS8uUlpaWlnbm7va/wB53gCSFE+/N3Pzu3e2+3Xv7dm/f/lQz
+a9HwYphYIsskSGJkWO4g3Teizt9vgxTsgj2JP6f2OwXPF2DfWW6zsLpqlb5zCG/nKsQoE18eo6irK3mLGnQepReSWG4lVxDiUf3LdimJCvEbQ8vJOaYfBaaL
+37N5P379+B3EL4+nbkgsVzD0Uk5vkKyht43WII7TM7ZbXN/IWCswj7tEQFyvVejlkD9G44T/t5z+ipAU/CmT5+ZVrNQ2KzWDLCSW4fM0eTdP3t05/M5lUP+J
+eS+TnN7JGm2jyt/HTCNBNnJCfdqvr0KfN+8VYlf+UD/4tu9Rn1JXO3SkP0/t/qwf1HaM5sbeer1kheMU/clDD9v9eV+t737NVGotMr4/cE+fwaGL2dVgd870
+s0IK9fq+ViTefvaw6yVu9jParPZvlp2MYAZTEhf8ulYxqqUtvVnRd6qWgyf7N93/L8lmP3nVbKVlj/gzysp6jXN7ZJxe2uMk9COj7+ubhw3jHvEjjdiNj9pd
+aTb1Q2b4vnFJSYjdU64nGSXq2g+nHjDnL3X5npDpReu5JDFDMlbmgOVg1z/20YNYj9i6Lg126y/E705CV+PiV/TC/lo+LM548ZTzj2zipbOM52A6x7idZzwF
+r8DEJ+gF6EWUB0+5/hk6eAUmthgbu4zH4C/wN9dL0MEbMGZAB2N7jEtgnutfoIMN8Bi8qTPKDUYFTIInYA88Ay/A1HdGFdTAMngJXoO3oNxE/TbqgxpYBi/B
+a/AWlH8wdsAueAL2QKWD7wFToNpJ+7PEF1988eX/E2ruDN3Od86xb8qT6c53Eq/EvN6Xx32+kwDLcbEcT+61JTEf4/vP1IznEs79foQs9c8l7HzTTsRbE/PL
+0TxLGZuf3T+vkqODDH9Yjh/kuLI8K9DPn2ITJjjPx8qL48txM53Xj2WdnS5/D4zEF6diP/M6j/GOt0jUfWXuPDB/4PwpJPoj6EHnPJxUbnb/vY06UmW+4v1T
+f/wB5QEDLw==
+"""
+FLASH = """
+eNrtmD9M20AUxu8c01q0FaYgmtION3RgYGBgyFCJVIIqUv+l0FaMJORCLBI7tR0wTB3pxsjImLEjI2NHxowZGTOyUdv3mSYudpMUqqTNk5Kf3927O9/zl4vv
+vmaWXz4Ynx0nnikKkYlK2u0S1njS6Qf1GyAFD8C6FJRTvy6J8kn0H477sLqyQoh01X94nAVZMAWfocM0Gdn/YJmVF1lfbxBaHeXO7O2OS8mY0DYNfCE8SmmH
+7gMmXH1716pCiJAs87/HiOKXS5LkhyroJ0HdS9/k0MiHA/kc1t6+W6bkztXdqY/i46tgazo+7ktwMRMfdwyWHsfHKcE6kYiPC9aT0LJ360bd5+0JISV1q6um
+XzPjTmzepW3YuTLLl43Nbaub8dr1aGsVfp3iwjbJlpDHNFm8RxYv3Vx6bS2bB4+V3O+jD5MXrJJWtIOY6T760GuVPDeZUWTe3VjkaQ/z15182y+zyzZ7os2z
+XtrsizZzPbSJXidkSHr+RnV4t01jP621RNr0J7d9Lv/ACly36LXjqeku/Qiq1/P0lWD6NXww/UZwIyt4DDZB9h7+Kvw1xIPHgf8RPtgE2SfB6qbgIfgNPAv8
+AnywBaocPqgWBRfAbOBvwQer4CHYMgSVqmASnAOPwDp4An4HU58FM+A6WAIb4Dl4ASom2u+gPbgOlsAGeA5egMquoAMegEdgHUw6mA+YAjPO6LVwZCMb2ch6
+3t+ItxUqdb6HToTeRyf63u8s4D3medQOYCjyEcUE5j1FRT6i81CO2PcdjEQ50Pv16lDt128/H/aQ50OcANAEDeVBmPRLfjrLE24eaMQeNT5vDvK2ELrD0kCu
+d4mIPPQ//zrmnwzdkTMU6//N5+N0IPMhzvvkq3P+5lR8fBY8exgfF5y9OGPxccFGTp381/6XMoJyp67kCP6uvn/dNZTQkgZb/yt5KWplzoqGWcnZbIeblmbo
+frmlVWrlnO26rJozcxVuu5Vu+ZZW8Otr+rZu7OpMd6u8cpMXNZ2zMt/hZa9eNwqc2XtVjnHyRk0vaPoWyxv+D2rTMEzXz9lcHJ/6J6nM0vbRwDuras/7yZDp
+7QciTibN
+"""
+
+LEVELS = {
+    "amrex": write_amrex,
+    "flash": lambda path: unpack(FLASH, path),
+    "hierarchy": write_enzo,
+    "vth": write_amr,
+    "xamr": lambda path: unpack(VELODYNE, path),
+}
+
+
+@pytest.mark.parametrize("extension", LEVELS)
+def test_volumes_of_levels(tmp_path, extension):
+    path = tmp_path / f"levels.{extension}"
+    LEVELS[extension](path)
+    if extension == "xamr" and vtkVersion.GetVTKVersion().startswith("9.1"):
+        check_fault(path, "vtkAMRVelodyneReader says: nothing, and crashes")  # on any file
+        return
+    volume = read(str(path))
+    fine = extension not in ("flash", "xamr")
+    samples = 9 if fine else 5
+    assert volume.IsA("vtkImageData") and volume.GetDimensions() == (samples,) * 3
+    step = 4 / (samples - 1)
+    assert volume.GetSpacing() == pytest.approx((step,) * 3, rel=1e-5)
+    scalars = volume.GetPointData().GetScalars()
+    assert scalars.GetName() == ("dens" if extension == "flash" else "v")
+    found = vtk_to_numpy(scalars).reshape(samples, samples, samples)
+    places = np.arange(samples) * step
+    expected = linear(np.stack(np.meshgrid(places, places, places, indexing="ij")[::-1], axis=-1))
+    inner = slice(3, 6) if fine else slice(1, 4)  # off the borders of a level, where means are of fewer cells
+    assert np.allclose(found[inner, inner, inner], expected[inner, inner, inner], rtol=1e-4)
+    assert np.abs(found - expected).max() <= 0.5 * 111 + 1  # half a cell off at the most, in each direction
+
+
+def test_volumes_of_levels_are_not_sampled_without_end(tmp_path, monkeypatch):
+    monkeypatch.setattr("pointsurface.readers._MOST_SAMPLES", 130)
+    write_amr(tmp_path / "levels.vth")
+    assert read(str(tmp_path / "levels.vth")).GetDimensions() == (5, 5, 5)
+
+
+def test_plotfile_that_is_a_file(tmp_path):
+    (tmp_path / "levels.amrex").write_text("HyperCLaw-V1.1\n")
+    check_fault(tmp_path / "levels.amrex", "no plotfile of AMReX: that is a folder")
+
+
 def test_slice_and_folder_without_slices(tmp_path):
     write_dicom(tmp_path / "slices")
     check_fault(tmp_path / "slices" / "1.dcm", "a slice of a volume", "the folder")
-    check_fault(tmp_path, "is a folder without slices (.dcm)")
+    check_fault(tmp_path, "is a folder without slices (.dcm)", "no plotfile of AMReX")
     assert "slices" in subjects.load(f"{tmp_path}/slices/", 35.5).title
 
 
@@ -278,6 +469,50 @@ def write_segy(path):
     path.write_bytes(content)
 
 
+def write_3ds(path):
+    def chunk(kind, content):
+        return struct.pack("<HI", kind, 6 + len(content)) + content
+
+    corners = chunk(0x4110, struct.pack("<H", 4) + CORNERS.astype("<f4").tobytes())
+    faces = chunk(0x4120, struct.pack("<H", 4) + b"".join(struct.pack("<4H", *face, 0) for face in FACES))
+    path.write_bytes(chunk(0x4D4D, chunk(0x3D3D, chunk(0x4000, b"four\0" + chunk(0x4100, corners + faces)))))
+
+
+def write_vrml(path):
+    """Moved by the scene: the corners are five to the left."""
+    points = ", ".join(f"{x - 5:g} {y:g} {z:g}" for x, y, z in CORNERS)
+    faces = " ".join(f"{a} {b} {c} -1" for a, b, c in FACES)
+    path.write_text(
+        "#VRML V2.0 utf8\nTransform { translation 5 0 0 children [ Shape { geometry IndexedFaceSet {\n"
+        f"coord Coordinate {{ point [ {points} ] }} coordIndex [ {faces} ] }} }} ] }}\n"
+    )
+
+
+def write_tri(path):
+    """Triangles of corners with normals, big-endian."""
+    corners = np.concatenate([CORNERS, np.zeros((4, 3))], axis=1).astype(">f4")
+    path.write_bytes(b"".join(corners[list(face)].tobytes() for face in FACES))
+
+
+def write_geojson(path):
+    rings = [[CORNERS[i].tolist() for i in (*face, face[0])] for face in FACES]
+    features = [{"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [r]}} for r in rings]
+    path.write_text(json.dumps({"type": "FeatureCollection", "features": features}))
+
+
+def write_htg(path):
+    """A tree of one cell: the box of the others."""
+    tree = vtkHyperTreeGrid()
+    tree.SetDimensions(2, 2, 2)
+    for axis, end in zip("XYZ", (3.0, 2.0, 1.0)):
+        getattr(tree, f"Set{axis}Coordinates")(numpy_to_vtk(np.array([0, end]), deep=True))
+    tree.SetBranchFactor(2)
+    cursor = vtkHyperTreeGridNonOrientedCursor()
+    tree.InitializeNonOrientedCursor(cursor, 0, True)
+    cursor.SetGlobalIndexStart(0)
+    write(path, vtkXMLHyperTreeGridWriter(), tree)
+
+
 def partitioned():
     data = vtkPartitionedDataSet()
     data.SetNumberOfPartitions(1)
@@ -312,6 +547,14 @@ DNjlSFFgYHz81CGGehMShGv6aeWlNLaPSLDc2FpI9+RXBg+HGYjn5pqEN4XZM/r6Eom2zRpDSbZKRmpm
 04gMEqk9KJoD70Vl0wdPcyBsyDcHPLUgPOEONxEAhHRt4Q==
 """
 
+# Four particles with "height", 0 to 3: h5part's group of a step.
+H5PART = """
+eNrr9HBx4+WS4mIAAQ4OBhYGAQZk8B8KNoig8mHyCVCaEUp3QOkVTDBxRrCcBFRcEGo+urqQIFdXkOr/aABmzwNWCM3BMApGIvBwdQwA0RFQPiyVnmBCVRdc
+klqgbIBIjx4U2osr/XowQ/gZrMSlXwtowpUYjcrR9AsEGrDykhVVXQWUroTSVVA6IzUzPaMEka4NiLQ32M/fBZSCYeWmAjNqeY2ejkcBrnKAFRJmjDA+JCcz
+MkIEWKDqYDQzUB4kI6hgDw17BwYTbgaT/9DwZgWKguSZmJgYIfUaxDxmxgZOaEyhuaBjUIUHJF2xwF25QBi/elj602DHrw5WrjcI4lcHK0cnCA2H1PXBnj7q
+4OIO0FhxGM3Zo2AUjIJRMApGwXBuVy4YEu1K+oXHgdHwQAmPB0MiPAAdjl/r
+"""
+
 UCD = "4 1 1 0 0\n" + rows("{} {} {} {}\n") + "1 0 tet 1 2 3 4\n1 1\nheight, m\n" + rows("{} {}\n", [[i] for i in range(4)])
 TECPLOT = (
     'TITLE = "four"\nVARIABLES = "X", "Y", "Z", "height"\nZONE T="one", N=4, E=1, F=FEPOINT, ET=TETRAHEDRON\n'
@@ -327,31 +570,50 @@ XDMF = f"""<?xml version="1.0"?><Xdmf Version="2.0"><Domain><Grid Name="four">
 <Attribute Name="height" Center="Node"><DataItem Dimensions="4" Format="XML">0 1 2 3</DataItem></Attribute>
 </Grid></Domain></Xdmf>"""
 
+CML = (
+    '<?xml version="1.0"?><molecule xmlns="http://www.xml-cml.org/schema"><atomArray>'
+    + rows('<atom id="a{}" elementType="C" x3="{}" y3="{}" z3="{}"/>')
+    + "</atomArray></molecule>"
+)
+FACET = (
+    "FACET FILE\n1\nfour\n0\n4 0 0\n" + rows("{1} {2} {3}\n") + "1\nfour\n4 3\n"
+    + "".join("{} {} {} 0 1\n".format(*(i + 1 for i in face)) for face in FACES)
+)
+
 BOXES = {
     "cgns": lambda path: path.write_bytes(zlib.decompress(base64.b64decode(CGNS))),
+    "htg": write_htg,
     "p3d": write_plot3d,
     "sgy": write_segy,
 }
 POINTS = {
+    "3ds": write_3ds,
     "byu": write_byu,
     "cas": write_fluent,
     "case": write_ensight,
+    "cml": lambda path: path.write_text(CML),
     "exo": lambda path: write(path, vtkExodusIIWriter(), cell()),
+    "facet": lambda path: path.write_text(FACET),
     "foam": write_foam,
+    "geojson": write_geojson,
     "gml": write_gml,
+    "h5part": lambda path: unpack(H5PART, path),
     "inp": lambda path: path.write_text(UCD),
     "neu": write_gambit,
     "off": lambda path: path.write_text(OFF),
     "pdb": lambda path: path.write_text(PDB),
+    "pvtk": lambda path: write(path, vtkPDataSetWriter(), cell()),
     "tag": lambda path: write(path, vtkMNITagPointWriter(), triangles()),
     "tec": lambda path: path.write_text(TECPLOT),
+    "tri": write_tri,
     "vrt": write_prostar,
     "vtpc": lambda path: write(path, vtkXMLPartitionedDataSetCollectionWriter(), collection()),
     "vtpd": lambda path: write(path, vtkXMLPartitionedDataSetWriter(), partitioned()),
+    "wrl": write_vrml,
     "xmf": lambda path: path.write_text(XDMF),
     **BOXES,
 }
-WITH_HEIGHT = ("case", "exo", "inp", "tec", "vtpc", "vtpd", "xmf", "cgns")
+WITH_HEIGHT = ("case", "exo", "h5part", "inp", "pvtk", "tec", "vtpc", "vtpd", "xmf", "cgns")
 
 
 def has_reader(extension):
@@ -371,7 +633,7 @@ def test_points(tmp_path, extension):
     expected = BOX.reshape(3, -1).T if extension in BOXES else CORNERS
     if extension == "sgy":
         expected = expected * (1, 1, -1)  # time goes down
-    if extension in ("cas", "gml", "sgy"):  # points that are there twice; another order
+    if extension in ("cas", "geojson", "gml", "sgy", "tri"):  # points that are there twice; another order
         points, expected = np.unique(points, axis=0), np.unique(expected, axis=0)
     assert np.allclose(points, expected)
     if extension in WITH_HEIGHT:
@@ -387,11 +649,11 @@ def test_readers_that_this_vtk_does_not_have(tmp_path, extension, monkeypatch):
     path.write_text("")
     for missing in (form._replace(module="vtkIONowhere"), form._replace(reader="vtkNoReader")):
         monkeypatch.setitem(FORMATS, extension, missing)
-        if extension not in ("dcm", "mrc", "ply", "stl", "tag"):  # which are looked at first
+        if extension not in ("amrex", "cube", "dcm", "mrc", "ply", "stl", "tag", "tri"):  # which are looked at first
             check_fault(path, missing.module, missing.reader, "pip install vtk")
 
 
-BROKEN = [e for e in (*VOLUMES, *POINTS) if e not in ("dicom", "foam", "off", "xmf")]
+BROKEN = [e for e in (*VOLUMES, *LEVELS, *POINTS) if e not in ("dicom", "foam", "off", "xmf")]
 
 
 @pytest.mark.parametrize("content", [b"", b"\x00\xff\x13 no such thing \n" * 50], ids=["empty", "garbage"])
@@ -403,13 +665,18 @@ def test_broken_files(tmp_path, extension, content, capfd):
     assert capfd.readouterr() == ("", "")
 
 
-CUT = ["cgns", "exo", "gml", "inp", "mnc", "nc", "neu", "slc", "tag", "vtkhdf"]
+CUT = ["3ds", "cgns", "cube", "exo", "facet", "flash", "h5part", "gml", "inp", "mnc", "nc", "neu", "slc", "tag", "vtkhdf"]
 
 
-@pytest.mark.parametrize("extension, share", [(e, s) for e in CUT for s in (0.9, 0.5)] + [("byu", 0.5), ("case", 0.5)])
+SHARES = [(e, s) for e in CUT for s in (0.9, 0.5)] + [("byu", 0.5), ("case", 0.5), ("tri", 0.9)]
+
+
+@pytest.mark.parametrize("extension, share", SHARES)
 def test_files_cut_short(tmp_path, extension, share):
     path = tmp_path / f"short.{extension}"
-    {**VOLUMES, **POINTS}[extension](path)
+    {**VOLUMES, **LEVELS, **POINTS}[extension](path)
+    if not has_reader(extension):
+        pytest.skip(f"this VTK has no {FORMATS[extension].reader}")
     content = path.read_bytes()
     path.write_bytes(content[: int(len(content) * share)])
     check_fault(path)
@@ -443,3 +710,28 @@ def test_netcdf_whose_header_makes_no_sense(tmp_path):
     assert content.count(variable) == 1
     path.write_bytes(content.replace(variable, struct.pack(">4i", 3, 0, 1, 9)))
     check_fault(path, "its header makes no sense")
+
+
+def test_every_reader_of_this_vtk_is_in_the_table_or_it_is_said_why_not():
+    """In a process of its own, since it loads all of VTK."""
+    code = (
+        "import importlib, pkgutil, vtkmodules\n"
+        "from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm\n"
+        "from vtkmodules.vtkIOImport import vtkImporter\n"
+        "for module in pkgutil.iter_modules(vtkmodules.__path__):\n"
+        "    if not module.name.startswith(('vtkIO', 'vtkFilters', 'vtkDomains', 'vtkGeovis')):\n"
+        "        continue\n"
+        "    try:\n"
+        "        members = vars(importlib.import_module('vtkmodules.' + module.name))\n"
+        "    except ImportError:\n"
+        "        continue\n"
+        "    for name, kind in members.items():\n"
+        "        if name.endswith(('Reader', 'Importer')) and issubclass(kind, (vtkAlgorithm, vtkImporter)):\n"
+        "            print(name)\n"
+    )
+    known = set(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split())
+    read = {form.reader for form in FORMATS.values()}
+    left_out = [name for names in NOT_READ.values() for name in names.split()]
+    assert len(known) > 150 and len(left_out) == len(set(left_out))
+    assert known - read - set(left_out) == set()
+    assert read & set(left_out) == set()
