@@ -184,7 +184,8 @@ bool vtkPixelFillCPU::FillPixel(const vtkPullPushParameters& parameters,
       nearest = std::min(nearest, d);
     }
   }
-  if (mask == 0 || GetLongestRun(mask) >= 5)
+  constexpr int BackRun = 5;
+  if (mask == 0 || GetLongestRun(mask) >= (depth > 0.0f ? BackRun : parameters.OpenRun))
   {
     return false;
   }

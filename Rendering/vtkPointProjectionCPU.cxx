@@ -97,31 +97,32 @@ void LoadDoubles(Block& block, int count, const double* tuples, const double* or
   LoadTuples(block, count, tuples, origin);
 }
 
-/// The tuples of the listed ids.
+/// The tuples at the listed places.
 template <typename T>
 void LoadListed(
-  Block& block, int count, const T* tuples, const unsigned int* ids, const double* origin)
+  Block& block, int count, const T* tuples, const unsigned int* places, const double* origin)
 {
   T listed[3 * BlockSize];
   for (int i = 0; i < count; ++i)
   {
-    std::copy_n(tuples + 3 * static_cast<size_t>(ids[i]), 3, listed + 3 * i);
+    std::copy_n(tuples + 3 * static_cast<size_t>(places[i]), 3, listed + 3 * i);
   }
   LoadTuples(block, count, listed, origin);
 }
 
-void Load(Block& block, vtkIdType first, int count, const float* tuples, const unsigned int* ids,
+/// See Part::ListPoints().
+void Load(Block& block, vtkIdType first, int count, const float* tuples, const unsigned int* places,
   const double* origin)
 {
-  ids ? LoadListed(block, count, tuples, ids + first, origin)
-      : LoadFloats(block, count, tuples + 3 * first, origin);
+  first < 0 ? LoadListed(block, count, tuples, places, origin)
+            : LoadFloats(block, count, tuples + 3 * first, origin);
 }
 
-void Load(Block& block, vtkIdType first, int count, const double* tuples, const unsigned int* ids,
-  const double* origin)
+void Load(Block& block, vtkIdType first, int count, const double* tuples,
+  const unsigned int* places, const double* origin)
 {
-  ids ? LoadListed(block, count, tuples, ids + first, origin)
-      : LoadDoubles(block, count, tuples + 3 * first, origin);
+  first < 0 ? LoadListed(block, count, tuples, places, origin)
+            : LoadDoubles(block, count, tuples + 3 * first, origin);
 }
 
 /// The rows of a matrix of eye or clip coordinates, for column vectors.
@@ -301,12 +302,37 @@ struct vtkPointProjectionCPU::Part
 {
   const Cloud* Source;
   Transform View;
-  std::vector<std::array<vtkIdType, 2>>
-    Blocks; // first and end of runs of points, of one range each
+
+  /// Groups of points of a range, see vtkPointThinning.
+  struct Groups
+  {
+    vtkIdType First, End;
+    std::array<vtkIdType, 2> Range;
+  };
+  std::vector<Groups> Blocks;
 
   int GetNumberOfChunks() const
   {
     return static_cast<int>((this->Blocks.size() + ChunkBlocks - 1) / ChunkBlocks);
+  }
+
+  /// The points of a block: lists their places in the cloud and returns their number. `first` is
+  /// where they begin if they follow each other; else it is -1.
+  int ListPoints(size_t block, unsigned int* places, vtkIdType& first) const
+  {
+    const Groups& groups = this->Blocks[block];
+    const int level = this->Source->Thinning;
+    first = level == 0 ? groups.First : -1;
+    int count = 0;
+    for (vtkIdType group = groups.First; group < groups.End; ++group)
+    {
+      const unsigned int place =
+        vtkPointThinning::GetPoint(static_cast<unsigned int>(group), level);
+      places[count] = place;
+      // a group may reach over the range
+      count += place >= groups.Range[0] && place < groups.Range[1];
+    }
+    return count;
   }
 
   /// Where the arrays of the cloud have the point at a place among all.
@@ -366,9 +392,11 @@ std::vector<vtkPointProjectionCPU::Part> vtkPointProjectionCPU::MakeParts(
     parts.push_back({ &cloud, cloud.Projection->GetTransform(cloud.View), {} });
     for (const auto& range : cloud.View.Ranges)
     {
-      for (vtkIdType first = range[0]; first < range[1]; first += BlockSize)
+      const vtkIdType end = ((range[1] - 1) >> cloud.Thinning) + 1;
+      for (vtkIdType first = range[0] >> cloud.Thinning; first < end; first += BlockSize)
       {
-        parts.back().Blocks.push_back({ first, std::min<vtkIdType>(first + BlockSize, range[1]) });
+        parts.back().Blocks.push_back(
+          { first, std::min<vtkIdType>(first + BlockSize, end), range });
       }
     }
   }
@@ -411,23 +439,23 @@ void vtkPointProjectionCPU::ForSeenPoints(
     const double zero[3] = { 0.0, 0.0, 0.0 };
     Block positions;
     Block normals;
+    unsigned int places[BlockSize + 1];
     int pixels[BlockSize];
     int list[BlockSize];
     float depths[BlockSize];
     const size_t end = std::min(part.Blocks.size(), static_cast<size_t>(chunk + 1) * ChunkBlocks);
     for (size_t block = static_cast<size_t>(chunk) * ChunkBlocks; block < end; ++block)
     {
-      const vtkIdType first = part.Blocks[block][0];
-      const int size = static_cast<int>(part.Blocks[block][1] - first);
+      vtkIdType first;
+      const int size = part.ListPoints(block, places, first);
       cloud.FloatPositions
-        ? Load(positions, first, size, cloud.FloatPositions, nullptr, cloud.Origin.data())
-        : Load(positions, first, size, cloud.DoublePositions, nullptr, cloud.Origin.data());
+        ? Load(positions, first, size, cloud.FloatPositions, places, cloud.Origin.data())
+        : Load(positions, first, size, cloud.DoublePositions, places, cloud.Origin.data());
       if (culls)
       {
-        Load(normals, first, size, cloud.Normals, nullptr, zero);
+        Load(normals, first, size, cloud.Normals, places, zero);
       }
       ProjectBlock(positions, normals, size, part.View, pixels, depths);
-      const unsigned int firstPlace = static_cast<unsigned int>(first) + firstId;
       // without branches that half of the points would take
       int seen = 0;
       for (int i = 0; i < size; ++i)
@@ -440,12 +468,12 @@ void vtkPointProjectionCPU::ForSeenPoints(
       {
         const int i = list[k];
         list[wanted] = i;
-        wanted += isWanted(pixels[i], depths[i], firstPlace + i) ? 1 : 0;
+        wanted += isWanted(pixels[i], depths[i], firstId + places[i]) ? 1 : 0;
       }
       for (int k = 0; k < wanted; ++k)
       {
         const int i = list[k];
-        take(static_cast<int>(chunk), pixels[i], depths[i], firstPlace + i);
+        take(static_cast<int>(chunk), pixels[i], depths[i], firstId + places[i]);
       }
     }
   };
@@ -915,47 +943,25 @@ void TransformBlock(const Block& positions, const Block& normals, const float* r
 }
 }
 
-vtkPointProjectionCPU::EyeBlocks::EyeBlocks(
-  const std::vector<Cloud>& clouds, int thinning, float clippingReach)
+vtkPointProjectionCPU::EyeBlocks::EyeBlocks(const std::vector<Cloud>& clouds, float clippingReach)
   : Parts(MakeParts(clouds))
-  , Thinning(thinning)
   , ClippingReach(clippingReach)
 {
   static_assert(EyePoints::Capacity == BlockSize, "points are brought to the eye in blocks");
   for (size_t part = 0; part < this->Parts.size(); ++part)
   {
-    const Cloud& cloud = *this->Parts[part].Source;
-    for (const auto& range : cloud.View.Ranges)
+    for (size_t block = 0; block < this->Parts[part].Blocks.size(); ++block)
     {
-      const vtkIdType end = ((range[1] - 1) >> thinning) + 1;
-      for (vtkIdType first = range[0] >> thinning; first < end; first += BlockSize)
-      {
-        this->Spans.push_back({ part, first, std::min<vtkIdType>(first + BlockSize, end), range });
-      }
+      this->Blocks.push_back({ part, block });
     }
   }
 }
 
 vtkPointProjectionCPU::EyeBlocks::~EyeBlocks() = default;
 
-/// The places of a span's points in the cloud.
-int vtkPointProjectionCPU::EyeBlocks::ListPlaces(const Span& span, unsigned int* places) const
-{
-  int count = 0;
-  for (vtkIdType group = span.Begin; group < span.End; ++group)
-  {
-    const unsigned int place =
-      vtkPointThinning::GetPoint(static_cast<unsigned int>(group), this->Thinning);
-    places[count] = place;
-    count += place >= span.Range[0] && place < span.Range[1]; // a group may reach over it
-  }
-  return count;
-}
-
 void vtkPointProjectionCPU::EyeBlocks::Fetch(size_t index, EyePoints& points) const
 {
-  const Span& span = this->Spans[index];
-  const Part& part = this->Parts[span.PartIndex];
+  const Part& part = this->Parts[this->Blocks[index][0]];
   const vtkPointProjectionCPU& cloud = *part.Source->Projection;
   const std::vector<unsigned int>& ids = cloud.Points->GetOrder().GetIds();
   const auto firstId = static_cast<unsigned int>(part.Source->FirstId);
@@ -965,15 +971,14 @@ void vtkPointProjectionCPU::EyeBlocks::Fetch(size_t index, EyePoints& points) co
   Block normals = {};
   float radii[BlockSize];
   int seen[BlockSize];
-  const int count = this->ListPlaces(span, places);
-  const vtkIdType first = this->Thinning == 0 ? span.Begin : 0;
-  const unsigned int* listed = this->Thinning == 0 ? nullptr : places;
+  vtkIdType first;
+  const int count = part.ListPoints(this->Blocks[index][1], places, first);
   cloud.FloatPositions
-    ? Load(positions, first, count, cloud.FloatPositions, listed, cloud.Origin.data())
-    : Load(positions, first, count, cloud.DoublePositions, listed, cloud.Origin.data());
+    ? Load(positions, first, count, cloud.FloatPositions, places, cloud.Origin.data())
+    : Load(positions, first, count, cloud.DoublePositions, places, cloud.Origin.data());
   if (cloud.Normals)
   {
-    Load(normals, first, count, cloud.Normals, listed, zero);
+    Load(normals, first, count, cloud.Normals, places, zero);
   }
   for (int i = 0; i < count; ++i)
   {

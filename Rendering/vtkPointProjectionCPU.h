@@ -54,11 +54,13 @@ public:
   /**
    * A cloud to draw: its projection, and a view whose MCVC is of the points' own coordinates; what
    * the ids of its points begin with; its colour where the layer Color is wanted and it has none.
+   * Radii are those of the thinned points, see vtkPointThinning.
    */
   struct Cloud
   {
     const vtkPointProjectionCPU* Projection = nullptr;
     vtkPointSurfaceView View;
+    int Thinning = 0;
     vtkIdType FirstId = 0;
     std::array<float, 4> Color{ 1.0f, 1.0f, 1.0f, 1.0f };
   };
@@ -158,30 +160,20 @@ private:
 class vtkPointProjectionCPU::EyeBlocks
 {
 public:
-  /// See vtkPointThinning for the level of thinning. Points may lie beyond clipping planes by a
-  /// reach in their radii. The clouds have to outlive this.
-  EyeBlocks(const std::vector<Cloud>& clouds, int thinning, float clippingReach);
+  /// Points may lie beyond clipping planes by a reach in their radii. The clouds have to outlive
+  /// this.
+  EyeBlocks(const std::vector<Cloud>& clouds, float clippingReach);
   ~EyeBlocks();
 
-  size_t GetSize() const { return this->Spans.size(); }
+  size_t GetSize() const { return this->Blocks.size(); }
   void Fetch(size_t index, EyePoints& points) const;
 
   /// What the layer Color carries of the point at a place.
   std::array<float, 4> GetColor(unsigned int place) const;
 
 private:
-  /// Of a cloud, the first of some groups of points (see vtkPointThinning) and the end.
-  struct Span
-  {
-    size_t PartIndex;
-    vtkIdType Begin, End;
-    std::array<vtkIdType, 2> Range;
-  };
-  int ListPlaces(const Span& span, unsigned int* places) const;
-
   std::vector<Part> Parts;
-  std::vector<Span> Spans;
-  int Thinning;
+  std::vector<std::array<size_t, 2>> Blocks; // a part and one of its blocks each
   float ClippingReach;
 };
 

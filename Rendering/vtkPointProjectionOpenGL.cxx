@@ -4,6 +4,7 @@
 #include "vtkPointProjectionOptions.h"
 #include "vtkPointSurfaceCompat.h"
 #include "vtkPointSurfaceView.h"
+#include "vtkPointThinning.h"
 #include "vtkScreenPass.h"
 #include "vtkSurfaceTarget.h"
 
@@ -60,10 +61,40 @@ size_t vtkPointProjectionOpenGL::UploadIds(const std::vector<unsigned int>& ids,
   return ids.size() * sizeof(unsigned int);
 }
 
+size_t vtkPointProjectionOpenGL::UploadThinned(size_t points, vtkMTimeType time)
+{
+  if (this->ThinnedTime == time)
+  {
+    return 0;
+  }
+  this->ThinnedTime = time;
+  const auto count = static_cast<vtkIdType>(points);
+  const int largest = vtkPointThinning::GetLargestLevel(count);
+  std::vector<unsigned int> places;
+  this->FirstThinned = { 0 };
+  for (int level = 1; level <= largest; ++level)
+  {
+    this->FirstThinned.push_back(places.size());
+    const auto groups =
+      static_cast<unsigned int>(vtkPointThinning::GetNumberOfGroups(count, level));
+    for (unsigned int group = 0; group < groups; ++group)
+    {
+      places.push_back(vtkPointThinning::GetPoint(group, level));
+    }
+  }
+  if (!places.empty())
+  {
+    this->Thinned->Upload(places, vtkOpenGLBufferObject::ElementArrayBuffer);
+  }
+  return places.size() * sizeof(unsigned int);
+}
+
 void vtkPointProjectionOpenGL::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Ids->ReleaseGraphicsResources();
   this->IdsTime = 0;
+  this->Thinned->ReleaseGraphicsResources();
+  this->ThinnedTime = 0;
   auto release = [](Pass& pass)
   {
     pass.VertexArray->ReleaseGraphicsResources();
@@ -131,7 +162,7 @@ void vtkPointProjectionOpenGL::DrawFirst(vtkOpenGLRenderWindow* window,
       {
         nearest->SetSamplers(program, "nearest");
       }
-      DrawRanges(pass, cloud.View);
+      DrawRanges(pass, cloud);
     }
   }
   if (nearest)
@@ -169,7 +200,7 @@ void vtkPointProjectionOpenGL::DrawSums(vtkOpenGLRenderWindow* window,
     {
       this->Nearest.SetSamplers(program, "nearest");
       program->SetUniformi("twoSided", cloud.View.Cull == vtkPointSurfaceView::NoCulling);
-      DrawRanges(pass, cloud.View);
+      DrawRanges(pass, cloud);
     }
   }
   state->vtkglDisable(GL_BLEND);
@@ -250,21 +281,45 @@ void vtkPointProjectionOpenGL::DrawBy(vtkOpenGLRenderWindow* window,
     if (vtkShaderProgram* program = ReadyShaders(window, pass, shaders, cloud))
     {
       setUniforms(program);
-      DrawRanges(pass, cloud.View);
+      DrawRanges(pass, cloud);
     }
   }
 }
 
-void vtkPointProjectionOpenGL::DrawRanges(Pass& pass, const vtkPointSurfaceView& view)
+void vtkPointProjectionOpenGL::DrawRanges(Pass& pass, const Cloud& cloud)
 {
+  const int level = cloud.Thinning;
+  vtkPointProjectionOpenGL& projection = *cloud.Projection;
+  const size_t firstThinned = level == 0 ? 0 : projection.FirstThinned[level];
   std::vector<GLint> firsts;
+  std::vector<const void*> offsets; // the same among the places of thinned points
   std::vector<GLsizei> counts;
-  for (const auto& range : view.Ranges)
+  for (const auto& range : cloud.View.Ranges)
   {
-    firsts.push_back(static_cast<GLint>(range[0]));
-    counts.push_back(static_cast<GLsizei>(range[1] - range[0]));
+    // the groups at either end may be represented by a point outside of the range
+    auto isOutside = [&](vtkIdType group)
+    {
+      const vtkIdType place = vtkPointThinning::GetPoint(static_cast<unsigned int>(group), level);
+      return place < range[0] || place >= range[1];
+    };
+    vtkIdType first = range[0] >> level;
+    vtkIdType last = (range[1] - 1) >> level;
+    first += isOutside(first) ? 1 : 0;
+    last -= last >= first && isOutside(last) ? 1 : 0;
+    firsts.push_back(static_cast<GLint>(first));
+    offsets.push_back(reinterpret_cast<const void*>((firstThinned + first) * sizeof(unsigned int)));
+    counts.push_back(static_cast<GLsizei>(last - first + 1));
   }
-  glMultiDrawArrays(GL_POINTS, firsts.data(), counts.data(), static_cast<GLsizei>(firsts.size()));
+  const auto size = static_cast<GLsizei>(firsts.size());
+  if (level == 0)
+  {
+    glMultiDrawArrays(GL_POINTS, firsts.data(), counts.data(), size);
+  }
+  else
+  {
+    projection.Thinned->Bind(); // to the pass's vertex array
+    glMultiDrawElements(GL_POINTS, counts.data(), GL_UNSIGNED_INT, offsets.data(), size);
+  }
   pass.VertexArray->Release();
 }
 

@@ -39,12 +39,14 @@ class vtkPointProjectionOpenGL
 public:
   /**
    * A cloud to draw: its projection and view; vertex buffers by the names vertexMC, normalMC,
-   * radiusMC, scalarColor, tcoord and colorTCoord.
+   * radiusMC, scalarColor, tcoord and colorTCoord. Radii are those of the thinned points, see
+   * vtkPointThinning.
    */
   struct Cloud
   {
     vtkPointProjectionOpenGL* Projection = nullptr;
     vtkPointSurfaceView View;
+    int Thinning = 0;
     vtkOpenGLVertexBufferObjectGroup* Buffers = nullptr;
     double UniformRadius = 0.0; ///< 0: radiusMC has a radius for each point
     bool HaveNormals = true;    ///< else normalMC is not read: all points face the viewer
@@ -66,6 +68,12 @@ public:
    * that are there already are not sent again. Returns the bytes that were sent.
    */
   size_t UploadIds(const std::vector<unsigned int>& ids, vtkMTimeType time);
+
+  /**
+   * The same for the places of the points that are drawn where so many are thinned: of all levels,
+   * so that nothing is sent while a camera moves.
+   */
+  size_t UploadThinned(size_t points, vtkMTimeType time);
 
   /**
    * Draws the points of the views' ranges of clouds into `target`, which has the layers Shape and
@@ -117,13 +125,16 @@ private:
     const vtkPointProjectionOptions& options);
   static vtkShaderProgram* ReadyShaders(
     vtkOpenGLRenderWindow* window, Pass& pass, const Shaders& shaders, const Cloud& cloud);
-  static void DrawRanges(Pass& pass, const vtkPointSurfaceView& view);
+  static void DrawRanges(Pass& pass, const Cloud& cloud);
   void BindAttributes(Pass& pass, vtkShaderProgram* program, const Cloud& cloud);
   void BindIds(vtkShaderProgram* program);
   static void SetUniforms(vtkShaderProgram* program, const Cloud& cloud);
 
   vtkNew<vtkOpenGLBufferObject> Ids;
   vtkMTimeType IdsTime = 0;
+  vtkNew<vtkOpenGLBufferObject> Thinned; // the places of the points of level 1, then 2, ...
+  vtkMTimeType ThinnedTime = 0;
+  std::vector<size_t> FirstThinned; // by level, where its places begin there
   Pass FirstPass;
   Pass SumPass;
   std::array<Pass, NumberOfUses> OtherPasses;

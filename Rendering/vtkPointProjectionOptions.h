@@ -15,6 +15,8 @@ struct vtkPointProjectionOptions
   /// The means of the points that fall in the pixel, of those that are behind the nearest one by
   /// their own radius at most; not the nearest one alone. The id stays that of the nearest one.
   bool AveragePoints = false;
+  /// How many points are drawn; see vtkPointThinning.
+  int Thinning = 0;
   /// How far behind the nearest point the farthest one of a pixel may be, in eye units, where these
   /// are drawn.
   float DepthTolerance = 0.0f;

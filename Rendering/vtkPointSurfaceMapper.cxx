@@ -548,8 +548,14 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
     this->VBOInverseTransform->Scale(1.0 / scale[0], 1.0 / scale[1], 1.0 / scale[2]);
     this->VBOInverseTransform->GetTranspose(this->VBOShiftScale);
   }
-  this->LastFrameBytesUploaded +=
-    this->Internals->Projection.UploadIds(points.GetOrder().GetIds(), points.GetOrder().GetTime());
+  const vtkSpatialOrder& order = points.GetOrder();
+  vtkPointProjectionOpenGL& projection = this->Internals->Projection;
+  this->LastFrameBytesUploaded += projection.UploadIds(order.GetIds(), order.GetTime());
+  if (this->ThinsPoints())
+  {
+    this->LastFrameBytesUploaded +=
+      projection.UploadThinned(order.GetIds().size(), order.GetTime());
+  }
   this->VBOBuildTime.Modified();
 }
 
@@ -1162,20 +1168,25 @@ vtkDrawnClouds vtkPointSurfaceMapper::GetDrawnClouds(
   for (const vtkJointSurface::Member& member : this->Internals->Projected)
   {
     vtkInternals& source = *member.Mapper->Internals;
+    const int ownThinning = member.Mapper->ThinsPoints()
+      ? std::min(
+          thinning, vtkPointThinning::GetLargestLevel(source.Points.GetNumberOfDrawnPoints()))
+      : 0;
     vtkPointSurfaceView ownView = member.GetView(view);
-    const double growth = vtkPointThinning::GetRadiusFactor(thinning);
-    ownView.RadiusScale *= growth;
-    ownView.LeaveOutUnseen(source.Points.GetOrder(), reach * growth * ownView.LargestRadius);
+    ownView.GrowRadii(vtkPointThinning::GetRadiusFactor(ownThinning));
+    ownView.LeaveOutUnseen(source.Points.GetOrder(), reach * ownView.LargestRadius);
     member.Mapper->LastFramePointsDrawn +=
-      vtkPointThinning::GetNumberOfGroups(ownView.GetNumberOfPoints(), thinning);
+      vtkPointThinning::GetNumberOfGroups(ownView.GetNumberOfPoints(), ownThinning);
     if (this->LastFrameBackend == CPU)
     {
-      clouds.CPU.push_back({ &source.ProjectionCPU, ownView, member.FirstId, member.Color });
+      clouds.CPU.push_back(
+        { &source.ProjectionCPU, ownView, ownThinning, member.FirstId, member.Color });
       continue;
     }
     vtkPointProjectionOpenGL::Cloud cloud;
     cloud.Projection = &source.Projection;
     cloud.View = ownView;
+    cloud.Thinning = ownThinning;
     cloud.Buffers = member.Mapper->VBOs;
     cloud.UniformRadius = source.Points.GetRadii() ? 0.0 : source.Points.GetUniformRadius();
     cloud.HaveNormals = this->NeedsNormals();
@@ -1201,7 +1212,8 @@ void vtkPointSurfaceMapper::ProjectPoints(vtkOpenGLRenderWindow* window,
     }
   }
   projected.Allocate(window, view.Size[0], view.Size[1], layers, true);
-  const std::vector<vtkPointProjectionOpenGL::Cloud> clouds = this->GetDrawnClouds(view).OpenGL;
+  const std::vector<vtkPointProjectionOpenGL::Cloud> clouds =
+    this->GetDrawnClouds(view, options.Thinning).OpenGL;
   vtkPointProjectionOpenGL& projection = this->Internals->Projection;
   projection.Draw(window, clouds, options, projected);
   if (farthest)
@@ -1220,7 +1232,8 @@ void vtkPointSurfaceMapper::ProjectPoints(const vtkPointSurfaceView& view,
   const auto& r = view.Rectangle;
   const vtkSurfaceImage::Rectangle rectangle = { r[0], r[1], r[0] + r[2], r[1] + r[3] };
   projected.Allocate(view.Size[0], view.Size[1], rectangle, ids, colors);
-  const std::vector<vtkPointProjectionCPU::Cloud> clouds = this->GetDrawnClouds(view).CPU;
+  const std::vector<vtkPointProjectionCPU::Cloud> clouds =
+    this->GetDrawnClouds(view, options.Thinning).CPU;
   vtkPointProjectionCPU& projection = this->Internals->ProjectionCPU;
   projection.Draw(clouds, options, projected);
   if (farthest)

@@ -160,10 +160,10 @@ public:
   ///@{
   /**
    * Bytes that the last frame sent to OpenGL: of the cloud, that is of its coordinates, normals,
-   * radii, colours, ids to draw and colour table; and, on the CPU back end, of the surface buffer.
-   * The first is 0 unless the data or its colours have changed; on the CPU back end, where the
-   * cloud stays in memory, it is a few bytes once. The second is 0 when a surface buffer of an
-   * earlier frame still held.
+   * radii, colours, ids to draw, places of thinned points and colour table; and, on the CPU back
+   * end, of the surface buffer. The first is 0 unless the data or its colours have changed; on the
+   * CPU back end, where the cloud stays in memory, it is a few bytes once. The second is 0 when a
+   * surface buffer of an earlier frame still held.
    */
   vtkGetMacro(LastFrameBytesUploaded, vtkIdType);
   vtkGetMacro(LastFrameSurfaceBytesUploaded, vtkIdType);
@@ -282,6 +282,12 @@ protected:
    * ProjectPoints() alone: then vtkPointSurfacePass can have several clouds made to one.
    */
   virtual bool HasJointForm() const { return false; }
+
+  /**
+   * Whether fewer points are drawn where pixels cannot tell them apart, see GetDrawnClouds() and
+   * vtkPointThinning. Default false.
+   */
+  virtual bool ThinsPoints() const { return false; }
 
   /**
    * What MakeSurfaceBuffer() needs and the current context lacks, in the words of vtkContextNeeds;

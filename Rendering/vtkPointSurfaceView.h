@@ -69,6 +69,16 @@ struct vtkPointSurfaceView
     return count;
   }
 
+  /// Makes the points' radii larger by a factor.
+  void GrowRadii(double factor)
+  {
+    for (double* radius : { &this->RadiusScale, &this->LargestRadius, &this->MeanRadius,
+           &this->TypicalRadius, &this->LargestDisc[0], &this->LargestDisc[1] })
+    {
+      *radius *= factor;
+    }
+  }
+
   /// Leaves out of the ranges what is outside of the image by more than `reach` (in eye units) and
   /// a few pixels, or outside of the clipping range, by chunks of the order that the points are in.
   void LeaveOutUnseen(const vtkSpatialOrder& order, double reach);

@@ -16,9 +16,19 @@
 #include <cmath>
 #include <cstdint>
 
+struct vtkPointSurfaceView;
+
 namespace vtkPointThinning
 {
-/// The point that stands for the points from group << level on; see vtkSurfaceSplatVS.glsl.
+/// The level at which projected radii have 1.6 pixels at most, amid the cloud; the nearest ones may
+/// have twice as many. 0 if they have more as it is, or some of the cloud is beside the eye.
+int GetLevel(const vtkPointSurfaceView& view);
+
+/// The level of which so many points have 1000 groups at least, so that it does not matter if the
+/// last ones are left out.
+int GetLargestLevel(vtkIdType points);
+
+/// The point that stands for the points from group << level on.
 inline std::uint32_t GetPoint(std::uint32_t group, int level)
 {
   for (int below = level; below > 0; --below)

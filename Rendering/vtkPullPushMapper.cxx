@@ -4,6 +4,7 @@
 #include "vtkContextNeeds.h"
 #include "vtkPointProjectionOptions.h"
 #include "vtkPointSurfaceView.h"
+#include "vtkPointThinning.h"
 #include "vtkPullPushParameters.h"
 #include "vtkPullPushReconstructionCPU.h"
 #include "vtkPullPushReconstructionOpenGL.h"
@@ -56,6 +57,8 @@ void vtkPullPushMapper::SetToPublished()
   this->UnionRadiiOff();
   this->FillPixelsOff();
   this->DepthTestInPushOff();
+  this->TrimOutlinesOff();
+  this->ThinPointsOff();
 }
 
 vtkPullPushOptions vtkPullPushMapper::GetOptions() const
@@ -67,15 +70,29 @@ vtkPullPushOptions vtkPullPushMapper::GetOptions() const
   options.DepthTestInPush = this->DepthTestInPush;
   options.UnionRadii = this->UnionRadii;
   options.FillPixels = this->FillPixels;
+  options.TrimOutlines = this->TrimOutlines;
   return options;
 }
 
-vtkPointProjectionOptions vtkPullPushMapper::GetProjectionOptions() const
+vtkPointProjectionOptions vtkPullPushMapper::GetProjectionOptions(
+  const vtkPointSurfaceView& view) const
 {
   vtkPointProjectionOptions options;
   options.SubpixelCenters = this->SubpixelCenters;
   options.CenterDepths = this->PerspectiveDiscs;
   options.AveragePoints = this->AveragePoints;
+  if (this->ThinPoints)
+  {
+    // where densities vary, the sparse parts stay whole; and little is saved of small clouds
+    constexpr vtkIdType Fewest = 20000;
+    vtkPointSurfaceView sparse = view;
+    sparse.GrowRadii(view.LargestRadius / view.MeanRadius);
+    options.Thinning = vtkPointThinning::GetLevel(sparse);
+    while (options.Thinning > 0 && view.GetNumberOfPoints() >> options.Thinning < Fewest)
+    {
+      --options.Thinning;
+    }
+  }
   return options;
 }
 
@@ -91,9 +108,11 @@ void vtkPullPushMapper::MakeSurfaceBuffer(
   vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& surface)
 {
   vtkInternals& internals = *this->Internals;
-  this->ProjectPoints(window, view, this->GetProjectionOptions(), surface, internals.Projected);
+  const vtkPointProjectionOptions projection = this->GetProjectionOptions(view);
+  this->ProjectPoints(window, view, projection, surface, internals.Projected);
   internals.View = view;
-  const vtkPullPushParameters parameters(view, this->GetOptions());
+  internals.View.GrowRadii(vtkPointThinning::GetRadiusFactor(projection.Thinning));
+  const vtkPullPushParameters parameters(internals.View, this->GetOptions());
   internals.Reconstruction.Run(window, parameters, internals.Projected, surface);
   this->LastFrameLevels = parameters.GetCoarsestLevel();
   this->LastFramePasses = internals.Reconstruction.GetPasses();
@@ -103,9 +122,11 @@ void vtkPullPushMapper::MakeSurfacePixels(
   const vtkPointSurfaceView& view, bool ids, bool colors, vtkSurfacePixels& surface)
 {
   vtkInternals& internals = *this->Internals;
-  this->ProjectPoints(view, this->GetProjectionOptions(), ids, colors, internals.ProjectedCPU);
+  const vtkPointProjectionOptions projection = this->GetProjectionOptions(view);
+  this->ProjectPoints(view, projection, ids, colors, internals.ProjectedCPU);
   internals.View = view;
-  const vtkPullPushParameters parameters(view, this->GetOptions());
+  internals.View.GrowRadii(vtkPointThinning::GetRadiusFactor(projection.Thinning));
+  const vtkPullPushParameters parameters(internals.View, this->GetOptions());
   internals.ReconstructionCPU.Run(parameters, internals.ProjectedCPU, surface);
   this->LastFrameLevels = parameters.GetCoarsestLevel();
   this->LastFramePasses =
@@ -148,4 +169,6 @@ void vtkPullPushMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UnionRadii: " << this->UnionRadii << "\n";
   os << indent << "FillPixels: " << this->FillPixels << "\n";
   os << indent << "DepthTestInPush: " << this->DepthTestInPush << "\n";
+  os << indent << "TrimOutlines: " << this->TrimOutlines << "\n";
+  os << indent << "ThinPoints: " << this->ThinPoints << "\n";
 }

@@ -87,8 +87,9 @@ public:
   ///@{
   /**
    * Fill single pixels that are empty, or (with culling off) show the back of a surface through a
-   * gap in its front, by the masks of Rosenthal and Linsen 2008 (section 6); this paper leaves them
-   * as they are. Default on.
+   * gap in its front, by the masks of Rosenthal and Linsen 2008 (section 6), which where radii are
+   * under 8 pixels leave the corners of a stepped outline open; this paper leaves all of them as
+   * they are. Default on.
    */
   vtkSetMacro(FillPixels, bool);
   vtkGetMacro(FillPixels, bool);
@@ -104,6 +105,29 @@ public:
   vtkSetMacro(DepthTestInPush, bool);
   vtkGetMacro(DepthTestInPush, bool);
   vtkBooleanMacro(DepthTestInPush, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Show a point in its own pixel only where its disc covers the pixel's centre, to within a fifth
+   * of a pixel, more where projected radii are under 2.5 pixels; in the paper (section 3.3) it
+   * stays whatever part of the pixel the disc covers, so that outlines lie half a pixel outside of
+   * the surface's. Default on.
+   */
+  vtkSetMacro(TrimOutlines, bool);
+  vtkGetMacro(TrimOutlines, bool);
+  vtkBooleanMacro(TrimOutlines, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Where projected radii are so small that pixels cannot tell the points apart, draw one of 2,
+   * 4, 8, ... points that follow each other, chosen at random, with a radius that is larger to
+   * match: up to 1.6 pixels; in the paper all points are drawn. Default on.
+   */
+  vtkSetMacro(ThinPoints, bool);
+  vtkGetMacro(ThinPoints, bool);
+  vtkBooleanMacro(ThinPoints, bool);
   ///@}
 
   /**
@@ -131,6 +155,7 @@ protected:
   void MakeSurfaceBuffer(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
     vtkSurfaceTarget& surface) override;
   bool HasJointForm() const override { return true; }
+  bool ThinsPoints() const override { return this->ThinPoints; }
   bool HasCPUForm() const override { return true; }
   double GetRim() const override { return 1.0; } // discs
   std::string FindLackOfOpenGL() override;
@@ -144,13 +169,15 @@ protected:
   bool UnionRadii = true;
   bool FillPixels = true;
   bool DepthTestInPush = true;
+  bool TrimOutlines = true;
+  bool ThinPoints = true;
 
 private:
   vtkPullPushMapper(const vtkPullPushMapper&) = delete;
   void operator=(const vtkPullPushMapper&) = delete;
 
   vtkPullPushOptions GetOptions() const;
-  vtkPointProjectionOptions GetProjectionOptions() const;
+  vtkPointProjectionOptions GetProjectionOptions(const vtkPointSurfaceView& view) const;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -41,6 +41,7 @@ vtkPullPushParameters::vtkPullPushParameters(
   const vtkPointSurfaceView& view, const vtkPullPushOptions& options)
   : Options(options)
   , Levels(MakeLevels(view))
+  , OutlineSlack(static_cast<float>(std::max(0.7 - 0.2 * view.TypicalRadius, 0.2)))
   , DepthStep(static_cast<float>(view.MeanRadius))
   , TwoSided(view.Cull == vtkPointSurfaceView::NoCulling)
   , NumberOfClippingPlanes(view.NumberOfClippingPlanes)
@@ -65,6 +66,11 @@ vtkPullPushParameters::vtkPullPushParameters(
   }
   this->PixelToEye[2] = static_cast<float>(-m[11]);
   this->PixelToEye[3] = static_cast<float>(m[15]);
+  // The corners of a stepped outline have four: where discs are large, so have gaps between them.
+  if (view.TypicalRadius < 8.0)
+  {
+    this->OpenRun = 4;
+  }
   if (options.UnionRadii)
   {
     // all the way where radii are below 1.5 pixels

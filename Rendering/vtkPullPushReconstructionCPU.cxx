@@ -96,7 +96,8 @@ struct Uniforms
   float DistanceWeight; // 1: weights fall with the distance
   float ConstantWeight; // 1: weights are those of the paper
   float FrontEndMargin; // added to the end of the frontmost interval
-  float PixelReach;     // from a fine pixel's centre to its corner, in eye units where w is 1
+  float OutlineSlack;
+  float PixelReach; // from a fine pixel's centre to its corner, in eye units where w is 1
   int NumberOfClippingPlanes;
   float ClippingPlanes[6][4];
 
@@ -109,6 +110,7 @@ struct Uniforms
     , DistanceWeight(p.Options.DistanceWeights ? 1.0f : 0.0f)
     , ConstantWeight(p.Options.DistanceWeights ? 0.0f : 1.0f)
     , FrontEndMargin(p.Options.DepthTestInPush ? 0.0f : Infinite)
+    , OutlineSlack(p.OutlineSlack)
     , PixelReach(0.71f * (this->FineSize - 1.0f) *
         std::hypot(
           std::abs(p.PixelToEye[0]) + std::abs(p.Shear * p.PixelToEye[1]), p.PixelToEye[1]))
@@ -335,6 +337,16 @@ VTK_POINT_SURFACE_INLINE Hit GetHit(const Pixel& p, const Uniforms& u, const flo
   return CenterDepths ? HitDisc(p, u, ray) : HitEllipse(p, u);
 }
 
+/// Whether a point's disc covers the centre of its own pixel, but for the slack.
+template <bool CenterDepths>
+VTK_POINT_SURFACE_INLINE bool CoversOwnPixel(
+  const Pixel& p, const Uniforms& u, const float (&ray)[2])
+{
+  const float size = std::sqrt(p.CenterX * p.CenterX + p.CenterY * p.CenterY);
+  const float share = Largest(size - u.OutlineSlack, 0.0f);
+  return GetHit<CenterDepths>(p, u, ray).Distance * share * share <= size * size;
+}
+
 VTK_POINT_SURFACE_INLINE bool FacesAway(const Pixel& p, const float (&ray)[2])
 {
   return p.NormalX * ray[0] + p.NormalY * ray[1] - p.NormalZ > 0.0f;
@@ -368,7 +380,7 @@ struct Pushed
 };
 
 /// `x` and `y` are of the first pixel.
-template <bool CenterDepths, bool Clips>
+template <bool CenterDepths, bool Clips, bool Trims>
 VTK_POINT_SURFACE_INLINE void PushPixels(const Pixels<PairSize>& fine,
   const Pixels<PairSize> (&coarse)[4], const Uniforms& uniforms, int x, int y, Pushed& pushed)
 {
@@ -397,7 +409,8 @@ VTK_POINT_SURFACE_INLINE void PushPixels(const Pixels<PairSize>& fine,
     const float ownNearest = GetDepthRange<CenterDepths>(own).Nearest;
     const Range parent = GetDepthRange<CenterDepths>(coarse[0].Get(i));
     const bool valid = own.Radius > 0.0f;
-    const bool keep = valid & (ownNearest >= parent.Nearest) & (ownNearest <= parent.Farthest);
+    const bool covered = valid & (!Trims || CoversOwnPixel<CenterDepths>(own, u, ray));
+    const bool keep = covered & (ownNearest >= parent.Nearest) & (ownNearest <= parent.Farthest);
     // The back of a surface seen through a gap in its front: let the front reach twice as far.
     const bool isBack = valid & FacesAway(own, ray);
 
@@ -464,7 +477,7 @@ VTK_POINT_SURFACE_INLINE void PushPixels(const Pixels<PairSize>& fine,
       weight[k] = w;
     }
 
-    // where nothing covers the pixel, an occluded one is seen after all and an invalid one is empty
+    // where nothing else covers the pixel, an occluded one is seen after all
     const bool replaced = weights > 0.0f;
     const float inverse = replaced ? 1.0f / weights : 0.0f;
     const float size =
@@ -478,7 +491,7 @@ VTK_POINT_SURFACE_INLINE void PushPixels(const Pixels<PairSize>& fine,
     result.NormalX = replaced ? normalX : own.NormalX;
     result.NormalY = replaced ? normalY : own.NormalY;
     result.NormalZ = replaced ? normalZ : own.NormalZ;
-    result.Radius = replaced ? sum.Radius * inverse : own.Radius;
+    result.Radius = replaced ? sum.Radius * inverse : covered ? own.Radius : 0.0f;
     result.DepthX = replaced ? sum.DepthX * inverse : own.DepthX;
     result.DepthY = replaced ? sum.DepthY * inverse : own.DepthY;
     result.CenterX = replaced ? sum.CenterX * inverse : own.CenterX;
@@ -525,25 +538,33 @@ VTK_POINT_SURFACE_INLINE void GatherParents(const float* row, float* parents, fl
   }
 }
 
-/// Whether all pixels of a row are valid and not occluded.
-template <bool CenterDepths>
-VTK_POINT_SURFACE_INLINE bool AllStay(const Pixels<PairSize>& fine, const Pixels<PairSize>& parents)
+/// Whether all pixels of a row are valid, covered and not occluded. `x` and `y` are of the first.
+template <bool CenterDepths, bool Trims>
+VTK_POINT_SURFACE_INLINE bool AllStay(const Pixels<PairSize>& fine, const Pixels<PairSize>& parents,
+  const Uniforms& uniforms, int x, int y)
 {
+  const Uniforms u = uniforms;
+  const float rayY = u.EyeRay[1] + (static_cast<float>(y) + 0.5f) * u.FineSize * u.EyeRayStep[1];
+  const float firstRayX = u.EyeRay[0] - u.Shear * rayY;
   int leaving = 0;
   for (int i = 0; i < PairSize; ++i)
   {
     const Pixel own = fine.Get(i);
     const float nearest = GetDepthRange<CenterDepths>(own).Nearest;
     const Range parent = GetDepthRange<CenterDepths>(parents.Get(i));
-    const bool stays =
-      (own.Radius > 0.0f) & (nearest >= parent.Nearest) & (nearest <= parent.Farthest);
+    const float ray[2] = {
+      firstRayX + (static_cast<float>(x + i) + 0.5f) * u.FineSize * u.EyeRayStep[0], rayY
+    };
+    const bool covered =
+      (own.Radius > 0.0f) & (!Trims || CoversOwnPixel<CenterDepths>(own, u, ray));
+    const bool stays = covered & (nearest >= parent.Nearest) & (nearest <= parent.Farthest);
     leaving += stays ? 0 : 1;
   }
   return leaving == 0;
 }
 
 /// `coarse` are the rows of the parent and of its neighbour. False if all pixels stay as they are.
-template <bool CenterDepths>
+template <bool CenterDepths, bool Trims>
 VTK_POINT_SURFACE_INLINE bool PushRows(
   const Row& fine, const Row (&coarse)[2], const Uniforms& uniforms, int x, int y, Pushed& pushed)
 {
@@ -554,7 +575,7 @@ VTK_POINT_SURFACE_INLINE bool PushRows(
     Copy<PairSize>(fine.Plane(k), own.Planes[k]);
     GatherParents(coarse[0].Plane(k), parents[0].Planes[k], parents[1].Planes[k]);
   }
-  if (AllStay<CenterDepths>(own, parents[0]))
+  if (AllStay<CenterDepths, Trims>(own, parents[0], uniforms, x, y))
   {
     pushed.Result = own;
     std::fill_n(pushed.Main, PairSize, -1);
@@ -565,17 +586,22 @@ VTK_POINT_SURFACE_INLINE bool PushRows(
     GatherParents(coarse[1].Plane(k), parents[2].Planes[k], parents[3].Planes[k]);
   }
   uniforms.NumberOfClippingPlanes > 0
-    ? PushPixels<CenterDepths, true>(own, parents, uniforms, x, y, pushed)
-    : PushPixels<CenterDepths, false>(own, parents, uniforms, x, y, pushed);
+    ? PushPixels<CenterDepths, true, Trims>(own, parents, uniforms, x, y, pushed)
+    : PushPixels<CenterDepths, false, Trims>(own, parents, uniforms, x, y, pushed);
   return true;
 }
 
 VTK_POINT_SURFACE_CLONES
-bool PushBlock(const Row& fine, const Row (&coarse)[2], bool centerDepths, const Uniforms& uniforms,
-  int x, int y, Pushed& pushed)
+bool PushBlock(const Row& fine, const Row (&coarse)[2], bool centerDepths, bool trims,
+  const Uniforms& uniforms, int x, int y, Pushed& pushed)
 {
-  return centerDepths ? PushRows<true>(fine, coarse, uniforms, x, y, pushed)
-                      : PushRows<false>(fine, coarse, uniforms, x, y, pushed);
+  if (trims)
+  {
+    return centerDepths ? PushRows<true, true>(fine, coarse, uniforms, x, y, pushed)
+                        : PushRows<false, true>(fine, coarse, uniforms, x, y, pushed);
+  }
+  return centerDepths ? PushRows<true, false>(fine, coarse, uniforms, x, y, pushed)
+                      : PushRows<false, false>(fine, coarse, uniforms, x, y, pushed);
 }
 
 /// Colour plane `plane`: of the coarse pixels where they replace the fine one.
@@ -808,7 +834,7 @@ void vtkPullPushReconstructionCPU::Push(const vtkPullPushParameters& parameters,
       {
         const PushSite site(fine, coarse, y, block);
         if (site.IsEmpty() ||
-          !PushBlock(site.Fine, site.Coarse, centerDepths, uniforms, site.X, y, pushed))
+          !PushBlock(site.Fine, site.Coarse, centerDepths, false, uniforms, site.X, y, pushed))
         {
           continue;
         }
@@ -877,7 +903,8 @@ void vtkPullPushReconstructionCPU::Finish(const vtkPullPushParameters& parameter
           }
           continue;
         }
-        PushBlock(site.Fine, site.Coarse, centerDepths, uniforms, site.X, y, pushed);
+        PushBlock(site.Fine, site.Coarse, centerDepths, parameters.Options.TrimOutlines, uniforms,
+          site.X, y, pushed);
         InterleaveSurface(uniforms, centerDepths, site.X, y, pushed, interleaved);
         std::copy_n(interleaved + 4 * lane, 4 * count, &surface.Surface[4 * pixel]);
         const float* radii = pushed.Result.Planes[vtkSurfaceImage::Radius];

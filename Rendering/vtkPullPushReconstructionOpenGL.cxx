@@ -44,6 +44,7 @@ std::string GetConstants(const vtkPullPushParameters& parameters)
   add("twoSided", parameters.TwoSided);
   add("distanceWeights", parameters.Options.DistanceWeights);
   add("depthTest", parameters.Options.DepthTestInPush);
+  add("trimsOutlines", parameters.Options.TrimOutlines);
   add("clips", parameters.NumberOfClippingPlanes > 0);
   return text;
 }
@@ -145,6 +146,7 @@ void vtkPullPushReconstructionOpenGL::Push(vtkOpenGLRenderWindow* window,
   SetBounds(program, "coarse", parameters.Levels[level + 1].Rectangle);
   program->SetUniformf("fineSize", static_cast<float>(1 << level));
   SetCommonUniforms(program, parameters);
+  program->SetUniformf("outlineSlack", parameters.OutlineSlack);
   program->SetUniformi("numberOfClippingPlanes", parameters.NumberOfClippingPlanes);
   float planes[6][4];
   for (int i = 0; i < 6; ++i)
@@ -173,6 +175,7 @@ void vtkPullPushReconstructionOpenGL::Fill(vtkOpenGLRenderWindow* window,
   unfilled.SetSamplers(program, "in");
   program->SetUniform2i("begin", parameters.Levels[0].Rectangle.data());
   program->SetUniform2i("end", parameters.Levels[0].Rectangle.data() + 2);
+  program->SetUniformi("openRun", parameters.OpenRun);
   program->SetUniformf("depthStep", parameters.DepthStep);
   SetCommonUniforms(program, parameters);
   result.BindForWriting(window);

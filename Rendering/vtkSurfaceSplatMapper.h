@@ -70,6 +70,7 @@ protected:
   void MakeSurfaceBuffer(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
     vtkSurfaceTarget& surface) override;
   bool HasJointForm() const override { return true; }
+  bool ThinsPoints() const override { return this->ThinPoints; }
   bool HasCPUForm() const override { return true; }
   void MakeSurfacePixels(
     const vtkPointSurfaceView& view, bool ids, bool colors, vtkSurfacePixels& surface) override;

@@ -37,9 +37,6 @@ struct vtkSurfaceSplatParameters
   /// How far discs may reach in depth in a perspective, as a share of their own: as far as their
   /// projections are nearly ellipses.
   static constexpr float LargestShareOfDepth = 0.5f;
-  /// Pixels of the projected radius that points are thinned to, amid the cloud; the nearest ones
-  /// may have twice as many.
-  static constexpr double ThinnedRadius = 1.6;
 
   vtkSurfaceSplatParameters(const vtkPointSurfaceView& view, const vtkSurfaceSplatOptions& options);
 

@@ -258,7 +258,7 @@ void vtkSurfaceSplattingCPU::MakeSplats(const vtkSurfaceSplatParameters& paramet
   const std::vector<vtkPointProjectionCPU::Cloud>& clouds, bool colors)
 {
   const vtkPointProjectionCPU::EyeBlocks blocks(
-    clouds, parameters.Thinning, static_cast<float>(parameters.Options.BlendRadius));
+    clouds, static_cast<float>(parameters.Options.BlendRadius));
   const auto& r = parameters.View.Rectangle;
   this->Columns = (r[2] + TileSize - 1) / TileSize;
   this->Rows = (r[3] + TileSize - 1) / TileSize;

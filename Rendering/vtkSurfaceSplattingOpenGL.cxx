@@ -37,7 +37,6 @@ std::string GetConstants()
 
 void SetUniforms(vtkShaderProgram* program, const vtkSurfaceSplatParameters& parameters)
 {
-  program->SetUniformi("thinning", parameters.Thinning);
   program->SetUniformf("pixelSize", parameters.GetPixelSize());
   program->SetUniformf("blendRadius", static_cast<float>(parameters.Options.BlendRadius));
   program->SetUniformf("depthTolerance", static_cast<float>(parameters.Options.DepthTolerance));

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fill: single pixels that are empty, or show the back of a surface through a gap in its front; by
 // the masks of Rosenthal and Linsen 2008, section 6: a pixel stays as it is where five neighbours in
-// a row of its ring of eight are not of the surface in front.
+// a row of its ring of eight are not of the surface in front; an empty one perhaps where four are.
 uniform ivec2 begin; // pixels outside of [begin, end) are empty
 uniform ivec2 end;
+uniform int openRun;     // empty pixels in a row around one that stays empty
 uniform float depthStep; // what is farther back than this is behind
 
 const ivec2 ring[8] = ivec2[8](ivec2(1, 0), ivec2(1, 1), ivec2(0, 1), ivec2(-1, 1), ivec2(-1, 0),
@@ -44,7 +45,7 @@ void main()
     runLength = around[i & 7].w > 0.0 ? 0 : runLength + 1;
     longestRun = max(longestRun, runLength);
   }
-  if (longestRun < 5 && (surface.w == 0.0 || isBack))
+  if (longestRun < (surface.w == 0.0 ? openRun : 5) && (surface.w == 0.0 || isBack))
   {
     vec4 sum = vec4(0.0);
     float weights = 0.0;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Push: invalid and occluded pixels of a level from the coarser one (Marroquim et al. 2007, section 3.3).
 // More constants, see vtkPullPushCommon.glsl: distanceWeights; depthTest, where only what is near the
-// frontmost interval is averaged (not in the paper); clips, where there are planes of clipping.
+// frontmost interval is averaged (not in the paper); clips, where there are planes of clipping;
+// trimsOutlines, where a point's own pixel shows it only if its disc covers the centre, but for
+// outlineSlack pixels.
 uniform ivec2 coarseBegin; // pixels outside of [begin, end) are invalid
 uniform ivec2 coarseEnd;
 uniform float fineSize;    // pixels of level 0 along a side of a fine pixel
+uniform float outlineSlack;
 uniform int numberOfClippingPlanes;
 uniform vec4 clippingPlanes[6]; // in eye coordinates, of unit length
 
@@ -54,6 +57,15 @@ float getDistance(vec4 shape, vec4 interval, vec2 pixel, out float depth)
                       : getEllipseDistance(shape, interval, interval.zw);
 }
 
+// Whether a point's disc covers the centre of its own pixel, but for the slack.
+bool coversOwnPixel(vec4 shape, vec4 interval, vec2 pixel)
+{
+  float depth;
+  float size = length(interval.zw);
+  float share = max(size - outlineSlack, 0.0);
+  return getDistance(shape, interval, pixel, depth) * share * share <= size * size;
+}
+
 // Whether all of the fine pixel, at a depth, is beyond a plane of clipping: then a disc hides
 // nothing there.
 bool isClipped(vec2 pixel, float depth)
@@ -99,8 +111,13 @@ void main()
 
   // The back of a surface seen through a gap in its front: let the front reach twice as far.
   bool isBack = twoSided && shape.w > 0.0 && !facesViewer(shape.xyz, fineCenter);
+#ifdef OUT_SURFACE
+  bool covered = shape.w > 0.0 && (!trimsOutlines || coversOwnPixel(shape, interval, fineCenter));
+#else
+  bool covered = shape.w > 0.0;
+#endif
   bool keep = false;
-  if (shape.w > 0.0)
+  if (covered)
   {
     float nearest = getDepthRange(shape, interval).x;
     vec2 parentRange = getDepthRange(
@@ -176,7 +193,7 @@ void main()
 #endif
       }
     }
-    // where nothing covers the pixel, an occluded one is seen after all and an invalid one is empty
+    // where nothing else covers the pixel, an occluded one is seen after all
     if (sum > 0.0)
     {
       float size = length(newShape.xyz);
@@ -188,6 +205,16 @@ void main()
 #endif
 #ifdef HAS_COLOR
       color = newColor / sum;
+#endif
+    }
+    else if (!covered)
+    {
+      shape = vec4(0.0);
+#ifdef HAS_ID
+      id = 0u;
+#endif
+#ifdef HAS_COLOR
+      color = vec4(0.0);
 #endif
     }
   }

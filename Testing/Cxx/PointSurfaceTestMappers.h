@@ -28,7 +28,8 @@ struct MapperClass
   bool UsesRadii = true;       ///< of the points, and estimates them
   bool FillsSmallGaps = false; ///< of few pixels, as dense clouds have, and no others
   bool DrawsSplats = false;
-  bool Joins = true; ///< with other clouds in vtkPointSurfacePass
+  bool Joins = true;  ///< with other clouds in vtkPointSurfacePass
+  bool Thins = false; ///< draws fewer points where pixels cannot tell them apart
 
   /// What the mapper draws, of a cloud: as many points, in the same order.
   vtkSmartPointer<vtkPolyData> MakeInput(vtkPolyData* cloud) const
@@ -67,8 +68,11 @@ inline std::vector<MapperClass> GetMapperClasses()
   splats.Joins = false;
   auto imageSpace = MapperClassOf<vtkImageSpacePointMapper>("vtkImageSpacePointMapper");
   imageSpace.FillsSmallGaps = true;
-  return { MapperClassOf<vtkPullPushMapper>("vtkPullPushMapper"), imageSpace, direct, splats,
-    MapperClassOf<vtkSurfaceSplatMapper>("vtkSurfaceSplatMapper") };
+  auto pullPush = MapperClassOf<vtkPullPushMapper>("vtkPullPushMapper");
+  pullPush.Thins = true;
+  auto surfaceSplats = MapperClassOf<vtkSurfaceSplatMapper>("vtkSurfaceSplatMapper");
+  surfaceSplats.Thins = true;
+  return { pullPush, imageSpace, direct, splats, surfaceSplats };
 }
 } // namespace PointSurfaceTest
 

@@ -42,9 +42,9 @@ constexpr unsigned char Background[3] = { 26, 51, 77 };
 constexpr double ShareOfLarge = 0.001; // of the pixels
 
 /// A bumpy ball with a smaller one before it; scalars; the ball's points moved by `shift`.
-vtkSmartPointer<vtkPolyData> MakeCloud(double shift, int dataType)
+vtkSmartPointer<vtkPolyData> MakeCloud(double shift, int dataType, int count = 30000)
 {
-  auto cloud = MakeSphereCloud(30000);
+  auto cloud = MakeSphereCloud(count);
   vtkNew<vtkPoints> points;
   points->SetDataType(dataType);
   vtkNew<vtkFloatArray> height;
@@ -211,6 +211,19 @@ void ComparePictures()
         s.Mapper->SetSupersampling(samples);
       });
   }
+  Compare("outlines not trimmed", [](Scene& s) { s.Mapper->TrimOutlinesOff(); });
+  Compare(
+    "thinned",
+    [](Scene& s)
+    {
+      s.Cloud = MakeCloud(0.0, VTK_FLOAT, 200000);
+      s.Window->SetSize(100, 100);
+    },
+    [](Scene& s)
+    {
+      s.Window->Render();
+      check(s.Mapper->GetLastFramePointsDrawn() < 100000, "points are thinned");
+    });
   Compare("back faces culled", [](Scene& s) { s.Actor->GetProperty()->BackfaceCullingOn(); });
   Compare("front faces culled", [](Scene& s) { s.Actor->GetProperty()->FrontfaceCullingOn(); });
   Compare("coordinates of 1e7", [](Scene& s) { s.Cloud = MakeCloud(1e7, VTK_DOUBLE); });

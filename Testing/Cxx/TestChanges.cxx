@@ -73,10 +73,17 @@ struct Scene
     return this->Mapper->GetLastFrameBytesUploaded();
   }
 
-  /// Of the arrays that the mapper draws from, and the points' ids.
+  /// Of the arrays that the mapper draws from, the points' ids, and the places of the half, the
+  /// quarter and so on that are drawn of them, down to a thousand.
   vtkIdType GetBytes(vtkIdType points) const
   {
-    return points *
+    vtkIdType thinned = 0;
+    for (vtkIdType group = 2; this->Class.Thins && points / group >= 1000; group *= 2)
+    {
+      thinned += (points + group - 1) / group;
+    }
+    return thinned * Id +
+      points *
       (Vector + (this->Class.UsesNormals ? Vector : 0) + (this->Class.UsesRadii ? Scalar : 0) +
         (this->Class.DrawsSplats ? 0 : Id));
   }
@@ -194,6 +201,34 @@ void CheckChanges(const MapperClass& mapperClass, int backend, bool faulty)
   scene.Sends(drawn * (mapperClass.DrawsSplats ? SplatBytes : Vector), "a moved point");
 }
 
+/// A dense cloud that a camera comes nearer to and leaves.
+void CheckThinning(const MapperClass& mapperClass, int backend)
+{
+  constexpr vtkIdType ManyPoints = 80000;
+  Scene scene(mapperClass, backend);
+  scene.Mapper->ScalarVisibilityOff();
+  scene.Mapper->SetInputData(MakeSphereCloud(static_cast<int>(ManyPoints)));
+  scene.Renderer->ResetCamera();
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->Zoom(8.0);
+  const vtkIdType first = scene.Render();
+  check(!scene.OnGPU || first == scene.GetBytes(ManyPoints),
+    scene.Name + "a dense cloud sends all levels of thinning: " + std::to_string(first));
+  check(scene.Mapper->GetLastFramePointsDrawn() > ManyPoints / 100,
+    scene.Name + "seen from near, all points that are in sight are drawn");
+  for (double zoom : { 0.125, 0.5, 1.5 })
+  {
+    camera->Zoom(zoom);
+    scene.Sends(0, "another level of thinning");
+    scene.MakesSurface(true, "another level of thinning");
+    check(scene.Mapper->GetLastFramePointsDrawn() <= ManyPoints / 2,
+      scene.Name + "seen from afar, fewer points are drawn: " +
+        std::to_string(scene.Mapper->GetLastFramePointsDrawn()));
+  }
+  vtkPolyData::SafeDownCast(scene.Mapper->GetInput())->GetPoints()->Modified();
+  scene.Sends(ManyPoints * Vector, "points that stay in their order");
+}
+
 void CheckBlocks(const MapperClass& mapperClass, int backend)
 {
   Scene scene(mapperClass, backend);
@@ -292,6 +327,10 @@ int TestChanges(int, char*[])
         CheckChanges(mapperClass, backend, true);
       }
       CheckBlocks(mapperClass, backend);
+      if (mapperClass.Thins)
+      {
+        CheckThinning(mapperClass, backend);
+      }
       CheckTimeSeries(mapperClass, backend);
     }
   }

@@ -77,6 +77,7 @@ struct Scene
     this->Cloud->GetPointData()->SetScalars(colors);
     this->Mapper->SetInputData(this->Cloud);
     this->Mapper->SetBackend(backend);
+    this->Mapper->ThinPointsOff(); // each pixel is compared with the nearest one of all points
     this->Mapper->RecordPointIdsOn();
     this->Actor->SetMapper(this->Mapper);
     this->Renderer->AddActor(this->Actor);

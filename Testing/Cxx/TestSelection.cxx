@@ -95,7 +95,12 @@ struct Scene
     , Name(mapperClass.Name + (backend == vtkPointSurfaceMapper::CPU ? ", CPU: " : ", OpenGL: "))
     // gaps are filled with what is nearest in the picture; and splats without normals lean less
     , NearEnough(mapperClass.FillsSmallGaps ? 2.0 : 1.0)
-    , FarthestAllowed(mapperClass.FillsSmallGaps || !mapperClass.UsesNormals ? 3.0 : 2.2)
+    // where outlines are trimmed, a pixel may show a disc of the coarser levels, not its own
+    // point's
+    , FarthestAllowed(mapperClass.FillsSmallGaps || !mapperClass.UsesNormals ||
+            mapperClass.Name == "vtkPullPushMapper"
+          ? 3.0
+          : 2.2)
   {
     for (int i = 0; i < 3; ++i)
     {

@@ -230,11 +230,16 @@ def test_grazing_view(method):
     assert_within(figures(found, truth), 0, 0.5 * pixel / np.sin(slope), 3.0)
 
 
+# Of outlines that are not drawn too far out, a pixel may be open.
+OPEN_OUTLINE = {"pull-push": 0.0002}
+
+
 @every_method
 def test_narrow_view(method):
     distance = 1.05 / np.sin(np.radians(0.5))
     found = Picture(method, sphere_cloud(), angle=1.0, position=(0, -distance, 0)).read()
-    assert_within(figures(found, sphere_truth(angle=1.0, distance=distance)), 0, 0.012, 1.1)
+    truth = sphere_truth(angle=1.0, distance=distance)
+    assert_within(figures(found, truth), OPEN_OUTLINE.get(method, 0), 0.012, 1.1)
 
 
 @every_method

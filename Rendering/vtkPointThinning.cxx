@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointThinning.h"
+
+#include "vtkPointSurfaceView.h"
+
+#include <algorithm>
+
+int vtkPointThinning::GetLevel(const vtkPointSurfaceView& view)
+{
+  constexpr double LargestRadius = 1.6;
+  const auto& m = view.VCDC;
+  const double nearestW = m[15] - m[11] * view.DepthRange[0];
+  if (nearestW <= 0.0)
+  {
+    return 0; // some of the cloud is beside or behind the eye
+  }
+  const double nearest = 0.5 * view.MeanRadius * view.Size[1] * std::abs(m[5]) / nearestW;
+  double radius = std::max(view.TypicalRadius, 0.5 * nearest);
+  const int largest = GetLargestLevel(view.GetNumberOfPoints());
+  int level = 0;
+  while (level < largest && radius * std::sqrt(2.0) <= LargestRadius)
+  {
+    radius *= std::sqrt(2.0);
+    ++level;
+  }
+  return level;
+}
+
+int vtkPointThinning::GetLargestLevel(vtkIdType points)
+{
+  constexpr vtkIdType Fewest = 1000;
+  int level = 0;
+  while (points >> (level + 1) >= Fewest)
+  {
+    ++level;
+  }
+  return level;
+}

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkPullPushMapper: what its departures from the paper promise, by both back ends, beside the true surface."""
+
+import numpy as np
+import pytest
+from scenes import BACKENDS, Scene, array, polydata, torus, torus_cloud, torus_mesh
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkProperty
+
+from pointsurface import metrics, truth, vtkPullPushMapper
+
+SIZE = (300, 300)
+
+
+def draw(data, backend, size=SIZE, **properties):
+    """A scene after one frame, and a metrics.SurfaceImage of what it shows."""
+    scene = Scene(vtkPullPushMapper, data, size)
+    getattr(scene.mapper, f"SetBackendTo{backend}")()
+    for name, value in properties.items():
+        getattr(scene.mapper, f"Set{name}")(value)
+    color = scene.color()
+    buffer = vtkImageData()
+    assert scene.mapper.ReadSurfaceBuffer(buffer)
+    layers = buffer.GetPointData()
+    normals = vtk_to_numpy(layers.GetArray("Normals")).reshape(*size[::-1], 3).astype(float)
+    depth = vtk_to_numpy(layers.GetArray("Depth")).reshape(size[::-1]).astype(float)
+    return scene, metrics.SurfaceImage(color, normals, depth)
+
+
+def draw_truth(scene):
+    return truth.render_truth(torus_mesh(), scene.renderer, vtkProperty(), scene.window.GetSize())
+
+
+def get_outline_shift(mask, true_mask):
+    """How far outlines lie outside of the true ones, in pixels, on average."""
+    steps = sum(np.count_nonzero(np.diff(true_mask.astype(int), axis=axis)) for axis in (0, 1))
+    return (np.count_nonzero(mask) - np.count_nonzero(true_mask)) / (np.pi / 4 * steps)
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_outlines_are_trimmed(backend):
+    """Outlines lie about where the surface's do: what is left is how far a disc reaches over what is curved."""
+    images = {}
+    for trimmed in (True, False):
+        scene, images[trimmed] = draw(torus_cloud(80_000), backend, TrimOutlines=trimmed)
+    expected = draw_truth(scene).mask
+    shifts = {trimmed: get_outline_shift(image.mask, expected) for trimmed, image in images.items()}
+    assert metrics.unfilled_share(images[True].mask, expected) < 1e-3
+    print(f"outlines {shifts[True]:.2f} pixels too far out, {shifts[False]:.2f} where they are not trimmed")
+    assert abs(shifts[True]) < 0.3
+    assert shifts[False] > shifts[True] + 0.15
+
+
+def random_cloud(count):
+    """Points of the torus at random, with radii of 1.5 times their mean spacing."""
+    angles = 2 * np.pi * np.random.default_rng(0).random((4 * count, 3))
+    keep = 2 * np.pi * (1 + 0.4 * np.cos(angles[:, 1])) > 1.4 * angles[:, 2]
+    u, v, _ = angles[keep][:count].T
+    cloud = polydata(*(x.astype(np.float32) for x in torus(u, v)))
+    cloud.GetPointData().AddArray(array(np.full(count, 1.5 * np.sqrt(4 * np.pi**2 * 0.4 / count)), "radius"))
+    return cloud
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_thinning(backend):
+    """Points beyond what pixels can tell apart are not drawn, and not missed."""
+    count = 200_000
+    data = random_cloud(count)
+    images = {}
+    for thinned in (True, False):
+        scene, images[thinned] = draw(data, backend, (100, 100), ThinPoints=thinned)
+        assert (scene.mapper.GetLastFramePointsDrawn() == count) != thinned
+    expected = draw_truth(scene)
+    measured = {thinned: metrics.compare(image, expected, 3.2) for thinned, image in images.items()}
+    print(f"PSNR {measured[True]['psnr']:.2f}, {measured[False]['psnr']:.2f} with all points")
+    assert measured[True]["psnr"] > measured[False]["psnr"] - 0.5
+    assert measured[True]["unfilled"] < 1e-3
