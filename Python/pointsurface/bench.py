@@ -448,16 +448,28 @@ def _write_report(folder, measured):
     write_whole(os.path.join(folder, "results.csv"), _csv(measured).encode())
     write_whole(os.path.join(folder, "RESULTS.md"), _markdown(measured).encode())
     for case, results in measured:
-        drawn = [name for name in results if name not in (MESH, EWA)]
-        series = {name: [(results[name]["milliseconds"], results[name]["psnr"])] for name in drawn}
-        front = sorted((results[name]["milliseconds"], results[name]["psnr"]) for name in pareto(results))
         name = str(case).replace(",", "").replace(" ", "-").replace(os.sep, "-")
-        charts.write_scatter(
-            os.path.join(folder, f"{name}.png"), str(case), "milliseconds a frame", "PSNR, dB", series, front
-        )
+        _write_pareto_plot(os.path.join(folder, f"{name}.png"), case, results)
+    _write_pareto_plot(os.path.join(folder, "RESULTS.png"), *_shown(measured))
     _write_series(folder, measured, "points", lambda case: case.points, "milliseconds")
     _write_series(folder, measured, "pixels", lambda case: case.pixels**2, "milliseconds")
     _write_series(folder, measured, "density", lambda case: case.points / case.pixels**2, "psnr")
+
+
+def _shown(measured):
+    """The case, and its results, that stands for all where one is to be shown: the first one of a million points."""
+    return next((each for each in measured if each[0].points >= 1_000_000), measured[0])
+
+
+def _write_pareto_plot(path, case, results):
+    """Error against milliseconds; a line joins a method with what it is at twice the resolution."""
+    series = {}
+    for name, result in results.items():
+        if name != EWA:
+            series.setdefault(name.removesuffix(f" {TWICE}"), []).append((result["milliseconds"], result["psnr"]))
+    series = {name if len(points) == 1 else f"{name}, also {TWICE}": points for name, points in series.items()}
+    front = sorted((results[name]["milliseconds"], results[name]["psnr"]) for name in pareto(results))
+    charts.write_scatter(path, str(case), "milliseconds a frame", "PSNR, dB", series, front)
 
 
 def _write_series(folder, measured, what, key, measure):
@@ -503,6 +515,7 @@ def _markdown(measured):
         lines += [f"{EWA} are the two-pass splatter of Testing/Reference, which is the yardstick of errors, not of time."]
     if any(OPEN3D in results for _, results in measured):
         lines += [f"{OPEN3D}'s offscreen renderer draws such points too, each frame with its reading back."]
+    lines += ["", f"![PSNR against milliseconds: {_shown(measured)[0]}](RESULTS.png)"]
     failing = []
     for case, results in measured:
         front = pareto(results)

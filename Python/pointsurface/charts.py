@@ -33,7 +33,11 @@ def write_scatter(path, title, x_title, y_title, series, front=(), logarithmic=F
     chart.GetLegend().SetInline(False)  # beside what is shown
     for axis, name in ((vtkAxis.BOTTOM, x_title), (vtkAxis.LEFT, y_title)):
         chart.GetAxis(axis).SetTitle(name)
-    chart.GetAxis(vtkAxis.BOTTOM).SetLogScale(True)
+    bottom = chart.GetAxis(vtkAxis.BOTTOM)
+    bottom.SetLogScale(True)
+    abscissas = [x for points in series.values() for x, _ in points]
+    bottom.SetBehavior(vtkAxis.FIXED)
+    bottom.SetUnscaledRange(min(abscissas) / 1.2, max(abscissas) * 1.2)  # whole markers
     chart.GetAxis(vtkAxis.LEFT).SetLogScale(logarithmic)
     tables = []  # VTK does not hold on to them
     if len(front) > 1:

@@ -5,6 +5,7 @@ import json
 import os
 import subprocess
 import sys
+import time
 import types
 
 import pytest
@@ -76,13 +77,29 @@ def test_open3d_where_it_is_there():
     assert figures["depth"] < 2 * points["depth"]
 
 
-def test_open3d_that_cannot_draw_is_left_out(tmp_path, monkeypatch, capsys):
-    (tmp_path / "open3d.py").write_text("raise RuntimeError('no driver')")
+@pytest.mark.parametrize(
+    ("does", "reason"), [("raise RuntimeError('no driver')", "no driver"), ("import time; time.sleep(60)", "over 2 seconds")]
+)
+def test_open3d_that_cannot_draw_is_left_out(tmp_path, monkeypatch, capsys, does, reason):
+    monkeypatch.setattr(bench, "OPEN3D_SECONDS", 2)
+    (tmp_path / "open3d.py").write_text(does)
     monkeypatch.setenv("PYTHONPATH", f"{tmp_path}{os.pathsep}{os.environ.get('PYTHONPATH', '')}")
     stage = bench.Stage(bench.Case("sphere", 100, 32))
     assert stage.measure(bench.OPEN3D, None) is None
     said = capsys.readouterr().err
-    assert "Open3D is left out" in said and "no driver" in said
+    assert "Open3D is left out" in said and reason in said
+
+
+def test_frames_that_take_long_are_fewer(monkeypatch):
+    stage = bench.Stage(bench.Case("sphere", 100, 32))
+    drawn = []
+    monkeypatch.setattr(bench, "_time_frame", lambda window: drawn.append(len(drawn)) or (1.0 + len(drawn), 2.0))
+    assert stage._time_frames(None) == [bench.WARM_UP + (bench.FRAMES + 1) / 2 + 1, 2.0]
+    assert len(drawn) == bench.WARM_UP + bench.FRAMES
+    drawn.clear()
+    monkeypatch.setattr(bench, "MOST_SECONDS", 0.1)
+    monkeypatch.setattr(bench, "_time_frame", lambda window: time.sleep(0.07) or drawn.append(1) or (len(drawn), 2.0))
+    assert stage._time_frames(None) == [2, 2.0]  # the last one
 
 
 @pytest.mark.parametrize("scene", bench.SCENES)
@@ -122,7 +139,7 @@ def test_a_run_goes_on_where_it_was_stopped(tmp_path, monkeypatch, capsys):
     rows = (tmp_path / "results.csv").read_text().splitlines()
     assert len(rows) == 1 + 2 * len(bench.RENDERERS)
     pictures = {name for name in os.listdir(tmp_path) if name.endswith(".png")}
-    assert pictures == {"torus-1000-points-64-x-64.png", "torus-10000-points-64-x-64.png", "over-points.png", "over-density.png"}
+    assert pictures == {"torus-1000-points-64-x-64.png", "torus-10000-points-64-x-64.png", "over-points.png", "over-density.png", "RESULTS.png"}
 
 
 @pytest.mark.parametrize(
