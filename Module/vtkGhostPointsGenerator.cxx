@@ -6,14 +6,15 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDoubleArray.h"
+#include "vtkDrawablePoints.h"
 #include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPointSpacing.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedIntArray.h"
@@ -128,57 +129,18 @@ void PutPieces(const Pieces& pieces, vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
-// The radii of a piece as the mappers take them.
-class Radii
+// The radius of a point as the mappers take it.
+double GetRadius(const vtkDrawablePoints& drawable, vtkIdType id)
 {
-public:
-  Radii(vtkPolyData* piece, const std::string& name, double constant)
-    : Usual(constant)
-  {
-    if (!piece)
-    {
-      return;
-    }
-    this->Array = Find(piece, name);
-    if (this->Array || constant > 0.0)
-    {
-      return;
-    }
-    this->Array = Find(piece, "radius");
-    if (!this->Array)
-    {
-      vtkNew<vtkPointSpacing> spacing;
-      spacing->SetInputData(piece);
-      spacing->Update();
-      this->Array = spacing->GetOutput()->GetPointData()->GetArray("radius");
-    }
-  }
+  vtkFloatArray* radii = drawable.GetRadii();
+  return radii ? radii->GetValue(id) : drawable.GetLargestRadius();
+}
 
-  double Get(vtkIdType id) const
-  {
-    return this->Array ? this->Array->GetComponent(id, 0) : this->Usual;
-  }
-
-private:
-  // nullptr where there is none with a radius for each point.
-  static vtkDataArray* Find(vtkPolyData* piece, const std::string& name)
-  {
-    vtkDataArray* array = name.empty() ? nullptr : piece->GetPointData()->GetArray(name.c_str());
-    const bool fits = array && array->GetNumberOfTuples() == piece->GetNumberOfPoints() &&
-      array->GetNumberOfComponents() == 1;
-    return fits ? array : nullptr;
-  }
-
-  vtkSmartPointer<vtkDataArray> Array;
-  double Usual;
-};
-
-//------------------------------------------------------------------------------
 // Where a rank has points, and what their radii are.
 class Region
 {
 public:
-  Region(const Pieces& pieces, const std::vector<Radii>& radii)
+  Region(const Pieces& pieces, const std::vector<vtkDrawablePoints>& drawable)
   {
     for (std::size_t leaf = 0; leaf < pieces.size(); ++leaf)
     {
@@ -190,8 +152,8 @@ public:
         {
           this->Box.AddPoint(x);
         }
-        const double r = radii[leaf].Get(id);
-        if (r > 0.0 && std::isfinite(r))
+        const double r = GetRadius(drawable[leaf], id);
+        if (r > 0.0) // else there are none, or all coordinates are faulty
         {
           this->Values[Sum] += r;
           this->Values[Count] += 1.0;
@@ -264,8 +226,8 @@ private:
 };
 
 // The points of a piece that each of the other ranks needs.
-std::vector<vtkSmartPointer<vtkIdList>> FindNear(vtkPolyData* piece, const Radii& radii,
-  double reach, const std::vector<Region>& regions, int rank)
+std::vector<vtkSmartPointer<vtkIdList>> FindNear(vtkPolyData* piece,
+  const vtkDrawablePoints& drawable, double reach, const std::vector<Region>& regions, int rank)
 {
   std::vector<vtkSmartPointer<vtkIdList>> near(regions.size());
   for (auto& ids : near)
@@ -282,7 +244,7 @@ std::vector<vtkSmartPointer<vtkIdList>> FindNear(vtkPolyData* piece, const Radii
     {
       continue;
     }
-    const double distance = reach * radii.Get(id);
+    const double distance = reach * GetRadius(drawable, id);
     for (std::size_t other = 0; other < regions.size(); ++other)
     {
       const vtkBoundingBox& box = regions[other].GetBox();
@@ -416,6 +378,23 @@ int vtkGhostPointsGenerator::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
+void vtkGhostPointsGenerator::LeaveOutUnfit(vtkPointData* data, vtkIdType points)
+{
+  for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    if (array->GetNumberOfTuples() != points)
+    {
+      const std::string name = array->GetName() ? array->GetName() : "(no name)";
+      vtkWarningMacro("Point array '" << name << "' has " << array->GetNumberOfTuples()
+                                      << " values for " << points
+                                      << " points; it is left out. Give one value for each point.");
+      data->RemoveArray(i);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkGhostPointsGenerator::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -432,15 +411,22 @@ int vtkGhostPointsGenerator::RequestData(
   const int rank = this->Controller->GetLocalProcessId();
   Pieces pieces = OwnPieces(input, rank);
   const std::size_t leaves = pieces.size();
-  std::vector<Radii> radii;
-  for (vtkPolyData* piece : pieces)
+  std::vector<vtkDrawablePoints> drawable(leaves); // whose remarks the mappers make
+  vtkDrawablePoints::Needs needs;
+  needs.Normals = needs.SpatialOrder = false;
+  for (std::size_t leaf = 0; leaf < leaves; ++leaf)
   {
-    radii.emplace_back(piece, this->RadiusArray, this->Radius);
+    if (pieces[leaf])
+    {
+      this->LeaveOutUnfit(pieces[leaf]->GetPointData(), pieces[leaf]->GetNumberOfPoints());
+      drawable[leaf].Build(
+        pieces[leaf], { 0 }, needs, { this->RadiusArray, this->Radius, -1.0 }, this);
+    }
   }
   this->UpdateProgress(0.2);
 
   // What all ranks have to know of each other.
-  const Region own(pieces, radii);
+  const Region own(pieces, drawable);
   const std::vector<Region> regions = own.Gather(this->Controller);
   for (int other = 0; other < ranks; ++other)
   {
@@ -463,7 +449,7 @@ int vtkGhostPointsGenerator::RequestData(
     {
       continue;
     }
-    const auto near = FindNear(pieces[leaf], radii[leaf], this->Reach, regions, rank);
+    const auto near = FindNear(pieces[leaf], drawable[leaf], this->Reach, regions, rank);
     for (int other = 0; other < ranks; ++other)
     {
       sent.At(other, leaf) = near[other]->GetNumberOfIds();

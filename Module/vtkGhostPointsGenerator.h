@@ -21,9 +21,10 @@
  * mean and the largest radius: by these they choose how fine an image is, how deep a pyramid. Give
  * the mappers the radii that this filter has.
  *
- * Radii are those that the mappers take: RadiusArray, else Radius, else an array `radius`, else
- * those of vtkPointSpacing, which takes some time. Normals should be there: estimates of two ranks
- * may differ in their side.
+ * Radii are those that the mappers take, by the same rules: RadiusArray, else Radius, else an array
+ * `radius`, else those of vtkPointSpacing, which takes some time. Point arrays that do not have a
+ * value for each point are left out, with a warning. Normals should be there: estimates of two
+ * ranks may differ in their side.
  *
  * The cost is that of the points near borders where each rank has a region of its own; ranks whose
  * boxes overlap exchange all that lies in both (redistribute such data first).
@@ -44,6 +45,7 @@
 #include <string> // For std::string
 
 class vtkMultiProcessController;
+class vtkPointData;
 
 class VTKPOINTSURFACE_EXPORT vtkGhostPointsGenerator : public vtkPassInputTypeAlgorithm
 {
@@ -63,8 +65,9 @@ public:
   ///@{
   /**
    * How far from the box of a rank's points those of others are still copied to it, in their own
-   * radii; 0 or more. Default: 3. A footprint reaches one radius, the one that it overlaps another;
-   * estimates from neighbours need the third.
+   * radii; 0 or more. Default: 8. A footprint reaches one radius, and the one that it overlaps
+   * another; what fills a hole lies up to three radii around it and four in depth (the reach of
+   * vtkImageSpacePointMapper), and is there only if its own surroundings are known.
    */
   vtkSetClampMacro(Reach, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Reach, double);
@@ -102,8 +105,10 @@ private:
   vtkGhostPointsGenerator(const vtkGhostPointsGenerator&) = delete;
   void operator=(const vtkGhostPointsGenerator&) = delete;
 
+  void LeaveOutUnfit(vtkPointData* data, vtkIdType points);
+
   vtkMultiProcessController* Controller = nullptr;
-  double Reach = 3.0;
+  double Reach = 8.0;
   std::string RadiusArray;
   double Radius = 0.0;
   vtkIdType NumberOfGhostPoints = 0;

@@ -904,6 +904,11 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(
   return view;
 }
 
+bool vtkPointSurfaceMapper::IsPart() const
+{
+  return GetWhole(this->GetBlocks()) != nullptr;
+}
+
 bool vtkPointSurfaceMapper::HasDuplicates() const
 {
   return !this->Internals->Points.GetDuplicates().empty();
@@ -1362,7 +1367,8 @@ void vtkPointSurfaceMapper::SetMapperShaderParameters(
   if (this->Internals->ShadedDuplicates)
   {
     this->Internals->Duplicates.SetSampler(program, "psDuplicates");
-    program->SetUniformf("psRecess", static_cast<float>(view.LargestRadius));
+    // more than depths err where the surface of the copies ends, which others have whole
+    program->SetUniformf("psRecess", static_cast<float>(10.0 * view.LargestRadius));
   }
   program->SetUniformi("psHasCoverage", this->Internals->Current->HasCoverage);
   const auto pixels = view.GetPixelRectangle();

@@ -290,6 +290,11 @@ protected:
   virtual bool ThinsPoints() const { return false; }
 
   /**
+   * For subclasses: whether other processes have the rest of the cloud (vtkGhostPointsGenerator).
+   */
+  bool IsPart() const;
+
+  /**
    * What MakeSurfaceBuffer() needs and the current context lacks, in the words of vtkContextNeeds;
    * empty where it lacks nothing. Then MakeSurfacePixels() is called in its place, with a warning.
    */

@@ -81,7 +81,7 @@ vtkPointProjectionOptions vtkPullPushMapper::GetProjectionOptions(
   options.SubpixelCenters = this->SubpixelCenters;
   options.CenterDepths = this->PerspectiveDiscs;
   options.AveragePoints = this->AveragePoints;
-  if (this->ThinPoints)
+  if (this->ThinsPoints())
   {
     // where densities vary, the sparse parts stay whole; and little is saved of small clouds
     constexpr vtkIdType Fewest = 20000;

@@ -41,7 +41,7 @@ vtkSurfaceSplatOptions vtkSurfaceSplatMapper::GetOptions() const
   vtkSurfaceSplatOptions options;
   options.BlendRadius = this->BlendRadius;
   options.DepthTolerance = this->DepthTolerance;
-  options.ThinPoints = this->ThinPoints;
+  options.ThinPoints = this->ThinsPoints();
   return options;
 }
 

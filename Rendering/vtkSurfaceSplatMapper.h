@@ -53,7 +53,8 @@ public:
   /**
    * Where projected radii are so small that pixels cannot tell the points apart, draw one of 2,
    * 4, 8, ... points that follow each other, chosen at random, with a radius that is larger to
-   * match: up to 1.6 pixels. Default on.
+   * match: up to 1.6 pixels. A part of a cloud (vtkGhostPointsGenerator) is not thinned: other
+   * processes would choose other points. Default on.
    */
   vtkSetMacro(ThinPoints, bool);
   vtkGetMacro(ThinPoints, bool);
@@ -70,7 +71,7 @@ protected:
   void MakeSurfaceBuffer(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
     vtkSurfaceTarget& surface) override;
   bool HasJointForm() const override { return true; }
-  bool ThinsPoints() const override { return this->ThinPoints; }
+  bool ThinsPoints() const override { return this->ThinPoints && !this->IsPart(); }
   bool HasCPUForm() const override { return true; }
   void MakeSurfacePixels(
     const vtkPointSurfaceView& view, bool ids, bool colors, vtkSurfacePixels& surface) override;

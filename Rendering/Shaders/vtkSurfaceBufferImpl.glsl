@@ -26,7 +26,8 @@
     // Another process draws this pixel, with all that is around it, and has to come out in front.
     // Only where each takes the pixel for the other's this one is seen.
     vec4 psBehind = psVCDC * (psEye - vec4(0.0, 0.0, psRecess, 0.0));
-    psFragCoordZ = 0.5 * psBehind.z / psBehind.w + 0.5;
+    // before the far plane still
+    psFragCoordZ = min(0.5 * psBehind.z / psBehind.w + 0.5, max(psFragCoordZ, 0.999999));
   }
 #endif
   vec3 psToViewer = psVCDC[2][3] == 0.0 ? vec3(0.0, 0.0, 1.0) : -normalize(psEye.xyz);

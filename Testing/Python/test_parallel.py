@@ -9,14 +9,20 @@ import sys
 
 import numpy as np
 import pytest
-from scenes import MAPPERS, Scene, input_of, torus_cloud
+from scenes import MAPPERS, Scene, array, input_of, torus_cloud
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass
 
-from pointsurface import vtkDirectPointMapper, vtkGhostPointsGenerator, vtkPointSurfacePass
+from pointsurface import (
+    vtkDirectPointMapper,
+    vtkGhostPointsGenerator,
+    vtkPointSurfacePass,
+    vtkPullPushMapper,
+    vtkSurfaceSplatMapper,
+)
 
 RANKS = 3
 EMPTY = RANKS  # one rank more has no points
@@ -63,12 +69,13 @@ def part_of(data, chosen):
     return part
 
 
-def with_ghosts(data, errors=None):
+def with_ghosts(data, errors=None, reach=REACH):
     generator = vtkGhostPointsGenerator()
     generator.SetInputData(data)
-    generator.SetReach(REACH)
+    generator.SetReach(reach)
     if errors is not None:
-        generator.AddObserver("ErrorEvent", lambda *_: errors.append(1))
+        for event in ("ErrorEvent", "WarningEvent"):
+            generator.AddObserver(event, lambda *_: errors.append(1))
     generator.Update()
     return generator.GetOutputDataObject(0), generator.GetNumberOfGhostPoints()
 
@@ -103,8 +110,9 @@ def run_rank(folder):
         if mapper_class is MAPPERS[0]:
             keep("cloud", output)
             results["ghosts"] = ghosts
+        usual, _ = with_ghosts(own, reach=vtkGhostPointsGenerator().GetReach())
         scene = Scene(mapper_class, whole)
-        for name, data in (("with", output), ("without", own)):
+        for name, data in (("with", usual), ("without", own)):
             scene.mapper.SetInputData(data)
             results[f"{mapper_class.__name__}/{name}/color"] = scene.color()
             results[f"{mapper_class.__name__}/{name}/depth"] = scene.depth()
@@ -129,6 +137,21 @@ def run_rank(folder):
     output, _ = with_ghosts(part_of(cloud, rank_of(positions(cloud)) == rank))
     if output.GetNumberOfPoints():
         results["whole"] = vtk_to_numpy(output.GetFieldData().GetArray("vtkWholeCloud"))
+
+    # Radii that the mappers repair or replace.
+    for name in ("faulty", "mean", "short", "none"):
+        part = part_of(torus_cloud(8000), rank_of(positions(torus_cloud(8000))) == rank)
+        if part.GetNumberOfPoints():
+            radii = numpy_of(part, "radius")
+            if name == "faulty":
+                radii[::3], radii[1::3] = np.nan, 0
+            elif name == "short":
+                part.GetPointData().AddArray(array(radii[:-1].copy(), "radius"))
+            elif name == "none":
+                part.GetPointData().RemoveArray("radius")
+        warnings = []
+        output, ghosts = with_ghosts(part, warnings)
+        results[f"radii/{name}"] = ghosts, len(warnings), output.GetNumberOfPoints() - part.GetNumberOfPoints()
 
     # Trees that differ.
     if rank == 0:
@@ -232,9 +255,21 @@ def test_trees_that_differ_are_an_error(ranks):
 def test_what_is_told_of_the_whole(ranks):
     """Its bounds; and no radius that is larger than it is, which shaders could not take."""
     cloud = torus_cloud(8000)
+    radius = numpy_of(cloud, "radius")[1]
     for rank in range(RANKS):
         assert ranks[rank]["whole"][:6] == pytest.approx(cloud.GetBounds())
-        assert ranks[rank]["whole"][6:] == pytest.approx(cloud.GetLength())
+        mean, largest = ranks[rank]["whole"][6:]
+        assert radius < mean < 1.1 * radius < largest <= cloud.GetLength()
+
+
+def test_radii_are_those_of_the_mappers(ranks):
+    """Those that are no radii become the mean of the others; where there is not one for each point, all are estimated."""
+    for rank in range(RANKS):
+        counts = {name: tuple(ranks[rank][f"radii/{name}"]) for name in ("faulty", "mean", "short", "none")}
+        assert counts["faulty"] == counts["mean"] and counts["mean"][:2] == (counts["mean"][2], 0)
+        assert counts["mean"][0] > 100
+        assert counts["short"] == (counts["none"][0], 1, counts["none"][2])
+        assert counts["none"][0] > 100
 
 
 def composite(ranks, mapper_class, name):
@@ -272,6 +307,22 @@ def test_one_process_changes_nothing():
     output, ghosts = with_ghosts(cloud)
     assert ghosts == 0 and output.GetPoints() is cloud.GetPoints()
     assert not output.GetPointData().HasArray("vtkGhostType")
+
+
+@pytest.mark.parametrize("mapper_class", [vtkPullPushMapper, vtkSurfaceSplatMapper])
+def test_parts_are_not_thinned(mapper_class):
+    """Each process would choose other points than its neighbours and the serial run."""
+    cloud = torus_cloud(100_000)
+    scene = Scene(mapper_class, cloud, size=(50, 50))
+    scene.color()
+    assert scene.mapper.GetLastFramePointsDrawn() < cloud.GetNumberOfPoints()
+    part = vtkPolyData()
+    part.ShallowCopy(cloud)
+    radius = numpy_of(cloud, "radius")[0]
+    part.GetFieldData().AddArray(array([*cloud.GetBounds(), radius, radius], "vtkWholeCloud", np.float64))
+    scene.mapper.SetInputData(part)
+    scene.color()
+    assert scene.mapper.GetLastFramePointsDrawn() == cloud.GetNumberOfPoints()
 
 
 def test_copies_lie_behind_where_clouds_join():
