@@ -4,6 +4,7 @@
 import importlib
 import os
 
+import numpy as np
 import pytest
 
 BENCHMARKS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Benchmarks")
@@ -32,11 +33,21 @@ def test_what_is_met(claims):
 
 def test_table(claims):
     times = [(5000, claims.AUTO, claims.GAUSSIAN, "CPU", 1e9), (5000, claims.PULL_PUSH, claims.AUTO, "CPU", 0)]
-    table = claims.make_table(times, {(5000, "whole", 1): 20, (5000, "zoomed", 2): 99})
+    table = claims.make_table(times, {(5000, "whole", 1): 20, (5000, "zoomed", 2): 99}, ("whole",), 5000)
     print(table)
     rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in table.splitlines() if line.startswith("| ")]
     assert [row[-1] for row in rows if "5000 points, CPU" in row[0]] == ["yes", "no"]
-    auto = [row for row in rows if row[1] == claims.AUTO and row[0].startswith("5000")]
+    auto = [row for row in rows if len(row) == 6 and row[1] == claims.AUTO and row[0].startswith("5000")]
     assert [row[-1] for row in auto if "points, CPU" not in row[0]] == ["yes", "no"]
     assert all(20 < float(row[2]) < 99 for row in auto if "points, CPU" not in row[0])
     assert "vtkSurfaceSplatMapper" in table
+    outlines = {row[1]: row for row in rows if len(row) == 7 and "whole" in row[0]}
+    assert list(outlines) == [claims.PUBLISHED, claims.PULL_PUSH, claims.AUTO]
+    assert outlines[claims.PUBLISHED][3:] == ["", "", "", ""]
+    assert float(outlines[claims.AUTO][4]) > float(outlines[claims.AUTO][2])  # FXAA smooths
+
+
+def test_what_is_near_an_outline(claims):
+    mask = np.zeros((9, 9), bool)
+    mask[4, 4] = True
+    assert claims.grow(mask).sum() == 13  # by two steps along rows and columns
