@@ -10,7 +10,7 @@ import sys
 from pointsurface import rendering, scene, styles, subjects, vtkImageSpacePointMapper
 
 picture, *file = sys.argv[1:] or ["style_plain.png"]
-subject = subjects.load(file[0], *map(float, file[1:])) if file else subjects.gyroid(200)
+subject = subjects.load(file[0], *map(float, file[1:])) if file else subjects.gyroid(300)
 
 mapper = vtkImageSpacePointMapper()
 mapper.SetInputData(subject.points)

@@ -11,13 +11,14 @@ from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkSmartVolumeMapper
 from pointsurface import rendering, vtkIsosurfacePoints, vtkPullPushMapper
 
 wavelet = vtkRTAnalyticSource()
-wavelet.SetWholeExtent(-20, 20, -20, 20, -20, 20)
+wavelet.SetWholeExtent(-60, 60, -60, 60, -60, 60)
 
 points = vtkIsosurfacePoints()  # positions, normals and radii
 points.SetInputConnection(wavelet.GetOutputPort())
 points.SetValue(0, 180)
 mapper = vtkPullPushMapper()
 mapper.SetInputConnection(points.GetOutputPort())
+mapper.SetRadiusScale(1.5)  # smoother normals; 1 is as far as is needed to close the surface
 mapper.ScalarVisibilityOff()
 actor = vtkActor()
 actor.SetMapper(mapper)
@@ -28,7 +29,7 @@ color.AddRGBPoint(60, 0.2, 0.3, 0.9)
 color.AddRGBPoint(250, 0.9, 0.9, 1)
 opacity = vtkPiecewiseFunction()
 opacity.AddPoint(80, 0)
-opacity.AddPoint(180, 0.02)
+opacity.AddPoint(180, 0.007)
 look = vtkVolumeProperty()
 look.SetColor(color)
 look.SetScalarOpacity(opacity)
