@@ -68,9 +68,11 @@ def run(arguments):
 
 def _check_name(arguments):
     extension = os.path.splitext(arguments.picture)[1].lower()
+    if extension in ANIMATED and not arguments.orbit:
+        raise WrongUse(f"{arguments.picture} is for an animation: it needs --orbit")
+    if extension not in (".png", *ANIMATED):
+        raise WrongUse(f"{arguments.picture} does not end with .png, which pictures are")
     if not arguments.orbit:
-        if extension in ANIMATED:
-            raise WrongUse(f"{arguments.picture} is for an animation: it needs --orbit")
         return
     if extension in ANIMATED:
         _pillow(arguments.picture)

@@ -178,6 +178,7 @@ def test_wrong_use(half_sphere, tmp_path, arguments, words):
 def test_folder_that_is_not_there(half_sphere, tmp_path):
     check_fault(pointsurface("render", half_sphere, tmp_path / "absent" / "p.png"), "is no folder")
     check_fault(pointsurface("render", half_sphere, tmp_path / "p.gif"), "p.gif is for an animation: it needs --orbit")
+    check_fault(pointsurface("render", half_sphere, tmp_path / "p.jpg"), "p.jpg does not end with .png")
 
 
 def test_cut_and_seen_from_above(half_sphere, tmp_path):

@@ -36,6 +36,11 @@ def dragon():
     return reader.GetOutput()
 
 
+@pytest.fixture(scope="module")
+def cloud(dragon):
+    return sampling.sample_by_area(dragon, 400_000)
+
+
 class Scene:
     """A surface on white; lines are red, and nothing else is as red as they are."""
 
@@ -76,20 +81,20 @@ def mean_distance(lines, others):
 
 @pytest.mark.parametrize("style", ["silhouettes", "feature lines"])
 @pytest.mark.parametrize("mapper_class", [vtkImageSpacePointMapper, vtkPullPushMapper])
-def test_a_cloud_has_the_lines_of_its_mesh(dragon, mapper_class, style):
-    cloud = Scene(mapper_class(), sampling.sample_by_area(dragon, 400_000)).lines(style)
+def test_a_cloud_has_the_lines_of_its_mesh(dragon, cloud, mapper_class, style):
+    found = Scene(mapper_class(), cloud).lines(style)
     mesh = Scene(vtkPolyDataMapper(), dragon).lines(style)
-    distance = mean_distance(cloud, mesh)
-    print(f"{style}: {np.count_nonzero(cloud)} and {np.count_nonzero(mesh)} pixels, mean distance {distance:.3f}")
-    assert min(np.count_nonzero(cloud), np.count_nonzero(mesh)) > 1000
+    distance = mean_distance(found, mesh)
+    print(f"{style}: {np.count_nonzero(found)} and {np.count_nonzero(mesh)} pixels, mean distance {distance:.3f}")
+    assert min(np.count_nonzero(found), np.count_nonzero(mesh)) > 1000
     assert distance < 1
 
 
-def test_lines_do_not_blink_in_an_orbit(dragon):
-    scene = Scene(vtkImageSpacePointMapper(), sampling.sample_by_area(dragon, 400_000))
+def test_lines_do_not_blink_in_an_orbit(cloud):
+    scene = Scene(vtkImageSpacePointMapper(), cloud)
     frames = [scene.lines("both")]
     step = 1.0  # degrees; the farthest points move by 0.0175 * 200 pixels
-    for _ in range(59):
+    for _ in range(29):
         scene.renderer.GetActiveCamera().Azimuth(step)
         frames.append(scene.line_pixels())
     near = [grow(frame, 4) for frame in frames]
@@ -98,7 +103,7 @@ def test_lines_do_not_blink_in_an_orbit(dragon):
     )
     total = sum(np.count_nonzero(frame) for frame in frames[1:-1])
     print(f"{blinking} of {total} line pixels blink: {blinking / total:.3%}")
-    assert total > 58 * 2000
+    assert total > 28 * 2000
     assert blinking < 0.01 * total
 
 
