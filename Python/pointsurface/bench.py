@@ -336,14 +336,14 @@ class Stage:
 
 
     def _time_frames(self, window):
-        """Medians after warm-up, camera moving; of frames that take too long for that the last one's."""
+        """Medians after warm-up, camera moving; of fewer frames where they take long, of one at least."""
         camera = self.renderer.GetActiveCamera()
         times, start = [], time.perf_counter()
-        while len(times) < WARM_UP + FRAMES and time.perf_counter() < start + MOST_SECONDS:
+        while len(times) <= WARM_UP or (len(times) < WARM_UP + FRAMES and time.perf_counter() < start + MOST_SECONDS):
             camera.Azimuth(1)
             times.append(_time_frame(window))
         camera.Azimuth(-len(times))
-        return [median(column) for column in zip(*(times[WARM_UP:] or times[-1:]))]
+        return [median(column) for column in zip(*times[WARM_UP:])]
 
 
 def _time_frame(window):
@@ -389,12 +389,16 @@ def run(arguments):
     os.makedirs(arguments.output, exist_ok=True)
     path = os.path.join(arguments.output, "results.json")
     results = _read_results(path)
-    for i, case in enumerate(cases):
-        if str(case) not in results:
-            announce(f"{i + 1} of {len(cases)}: {case}")
-            results[str(case)] = _measure_apart(case)
-            write_whole(path, json.dumps(results, indent=1).encode())
-    _write_report(arguments.output, [(case, results[str(case)]) for case in cases])
+    try:
+        for i, case in enumerate(cases):
+            if str(case) not in results:
+                announce(f"{i + 1} of {len(cases)}: {case}")
+                results[str(case)] = _measure_apart(case)
+                write_whole(path, json.dumps(results, indent=1).encode())
+    finally:  # also of a run that is stopped
+        measured = [(case, results[str(case)]) for case in cases if str(case) in results]
+        if measured:
+            _write_report(arguments.output, measured, len(cases))
     print(f"Results in {arguments.output}: results.json, results.csv, RESULTS.md and plots")
 
 
@@ -444,9 +448,9 @@ def exceptions(results):
     ]
 
 
-def _write_report(folder, measured):
+def _write_report(folder, measured, wanted):
     write_whole(os.path.join(folder, "results.csv"), _csv(measured).encode())
-    write_whole(os.path.join(folder, "RESULTS.md"), _markdown(measured).encode())
+    write_whole(os.path.join(folder, "RESULTS.md"), _markdown(measured, wanted).encode())
     for case, results in measured:
         name = str(case).replace(",", "").replace(" ", "-").replace(os.sep, "-")
         _write_pareto_plot(os.path.join(folder, f"{name}.png"), case, results)
@@ -500,7 +504,7 @@ def _csv(measured):
     return text.getvalue()
 
 
-def _markdown(measured):
+def _markdown(measured, wanted):
     renderer = next(iter(measured[0][1].values()))["renderer"]
     lines = [
         "# Speed against error",
@@ -515,6 +519,8 @@ def _markdown(measured):
         lines += [f"{EWA} are the two-pass splatter of Testing/Reference, which is the yardstick of errors, not of time."]
     if any(OPEN3D in results for _, results in measured):
         lines += [f"{OPEN3D}'s offscreen renderer draws such points too, each frame with its reading back."]
+    if len(measured) < wanted:
+        lines += [f"Stopped after {len(measured)} of {wanted} measurements; the same command goes on."]
     lines += ["", f"![PSNR against milliseconds: {_shown(measured)[0]}](RESULTS.png)"]
     failing = []
     for case, results in measured:

@@ -99,7 +99,7 @@ def test_frames_that_take_long_are_fewer(monkeypatch):
     drawn.clear()
     monkeypatch.setattr(bench, "MOST_SECONDS", 0.1)
     monkeypatch.setattr(bench, "_time_frame", lambda window: time.sleep(0.07) or drawn.append(1) or (len(drawn), 2.0))
-    assert stage._time_frames(None) == [2, 2.0]  # the last one
+    assert stage._time_frames(None) == [bench.WARM_UP + 1, 2.0]  # one after warm-up
 
 
 @pytest.mark.parametrize("scene", bench.SCENES)
@@ -129,12 +129,15 @@ def test_a_run_goes_on_where_it_was_stopped(tmp_path, monkeypatch, capsys):
     with pytest.raises(KeyboardInterrupt):
         bench.run(arguments)
     assert list(json.loads((tmp_path / "results.json").read_text())) == [str(cases[0])]
+    stopped = "Stopped after 1 of 2 measurements"
+    assert stopped in (tmp_path / "RESULTS.md").read_text()
 
     monkeypatch.setattr(bench, "_measure_apart", lambda case: measured.append(case) or figures)
     bench.run(arguments)
     assert measured == cases
     assert "RESULTS.md" in capsys.readouterr().out
     report = (tmp_path / "RESULTS.md").read_text()
+    assert stopped not in report
     assert "## Torus, 10000 points, 64 x 64" in report and f"| {bench.OURS[0]} * | 2.0 | 1.0 | 20.00 |" in report
     rows = (tmp_path / "results.csv").read_text().splitlines()
     assert len(rows) == 1 + 2 * len(bench.RENDERERS)
