@@ -183,8 +183,9 @@ class Scene:
     """An importer of VTK's in the guise of a reader: its output has a block for each actor, in its place."""
 
     def __init__(self, importer):
-        import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  makes actors and mappers
+        from vtkmodules.vtkRenderingOpenGL2 import vtkGenericOpenGLRenderWindow  # the module makes actors and mappers, too
 
+        importer.SetRenderWindow(vtkGenericOpenGLRenderWindow())  # it asks for no display, and nothing is drawn
         self._importer = importer
         self._output = vtkMultiBlockDataSet()
 

@@ -101,7 +101,8 @@ def _read_with_vtk(path, extension, tell):
         _try(form, extension, path)
     with complaints() as said:
         reader = formats.make_reader(form, path) if form else _pcd_reader(path)
-        with followed(reader, f"reading {path}") if tell else nullcontext():
+        can_tell = hasattr(reader, "AbortExecuteOn")  # importers cannot
+        with followed(reader, f"reading {path}") if tell and can_tell else nullcontext():
             reader.Update()
     errors = said("ERROR")
     if errors:

@@ -641,6 +641,17 @@ def test_points(tmp_path, extension):
         assert vtk_to_numpy(heights).tolist() == list(range(len(expected)))
 
 
+@pytest.mark.parametrize("extension", ["3ds", "wrl"])
+def test_scenes_need_no_display(tmp_path, extension, monkeypatch, capfd):
+    """Nor OpenGL; and a reader that cannot tell how far it is is none the worse for being asked to."""
+    monkeypatch.setenv("DISPLAY", ":4711")
+    monkeypatch.setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/none.json")
+    path = tmp_path / f"scene.{extension}"
+    POINTS[extension](path)
+    assert read(str(path), tell=True).GetNumberOfPoints() == 4
+    assert capfd.readouterr() == ("", "")
+
+
 @pytest.mark.parametrize("extension", FORMATS)
 def test_readers_that_this_vtk_does_not_have(tmp_path, extension, monkeypatch):
     """Module or class: both are named, with what to do."""
