@@ -7,7 +7,7 @@
 A picture aliases where it shows one of the many points of a pixel: as the camera moves on, it shows another one; and at
 edges, where a pixel shows the one side or the other. Each scene and density is measured in a process of its own.
 PYTHONPATH must lead to the package pointsurface; the dragon lies in ../shared/data beside the project, or in the folder
-POINTSURFACE_SHARED_DATA, and is left out where it does not. About three minutes.
+POINTSURFACE_SHARED_DATA, and is left out where it does not. Some five minutes.
 """
 
 import os
