@@ -13,7 +13,7 @@
  * form; in a bracket Newton's method falls back to bisection. FirstRootInClosedForm() is the
  * paper's (Bolla and Narayanan, section 3.1): Blinn's method for cubics, Ferrari's for quartics. It
  * misses roots near others, so the first is what the mapper uses; vtkFirstRoot.glsl is its
- * mirror, in plain single precision.
+ * mirror.
  *
  * All functions take any finite coefficients; none returns NaN.
  */
@@ -29,6 +29,16 @@ namespace vtkPolynomialRoots
 {
 template <int Degree, typename Real>
 using Polynomial = std::array<Real, Degree + 1>;
+
+/**
+ * a b - c d, within two units of its last place (W. Kahan's way).
+ */
+template <typename Real>
+Real DifferenceOfProducts(Real a, Real b, Real c, Real d)
+{
+  const Real product = c * d;
+  return std::fma(a, b, -product) - std::fma(c, d, -product);
+}
 
 template <int Degree, typename Real>
 Real Evaluate(const Polynomial<Degree, Real>& p, Real t)
@@ -72,7 +82,7 @@ int SolveInClosedForm(const Polynomial<2, Real>& p, Real* roots)
     return SolveInClosedForm<Real>(Polynomial<1, Real>{ p[0], p[1] }, roots);
   }
   const Real half = -p[1] / 2;
-  const Real discriminant = half * half - p[2] * p[0];
+  const Real discriminant = DifferenceOfProducts(half, half, p[2], p[0]);
   if (!(discriminant >= 0))
   {
     return 0;

@@ -11,6 +11,10 @@
  * depths and colours are blended and shaded once, so that all of VTK's lights and materials hold.
  * By a headlight both ways are equally far from the truth, within a twentieth.
  *
+ * Where a ray may meet a splat several times, the first root is found in double precision. A
+ * context without GL_ARB_gpu_shader_fp64 has floats for that: of roots that all but touch, one too
+ * far may be taken, or none.
+ *
  * The points of the input are splats: selection returns their ids, and the array `InputPointIds`
  * leads on to the points that they were fitted to. An input without a splat's arrays gives an
  * error, and nothing is drawn. RadiusArray, Radius and RadiusScale do not change splats.

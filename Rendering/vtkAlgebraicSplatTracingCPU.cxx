@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAlgebraicSplatTracingCPU.h"
 
+#include "vtkAlgebraicSplatBounds.h"
 #include "vtkAlgebraicSplatOptions.h"
 #include "vtkAlgebraicSplatTransform.h"
 #include "vtkDrawableSplats.h"
@@ -246,45 +247,23 @@ TracedSplat Placer::Place(const Splat& splat, int order) const
   return placed;
 }
 
-// The rectangle around the cylinder that the patch lies in: around the discs at its two ends. A
-// disc's x / w is least and largest where a line of constant x / w touches it.
+// All where the splat is beside the eye, or behind.
 std::array<int, 4> Placer::GetBounds(
   const Vector& center, const Vector& u, const Vector& v, const Vector& n, const Splat& splat) const
 {
   const auto& r = this->View.Rectangle;
-  const std::array<int, 4> all = { r[0], r[1], r[0] + r[2], r[1] + r[3] };
-  std::array<int, 4> bounds = { all[2], all[3], all[0], all[1] };
-  const auto& m = this->View.VCDC;
-  for (float height : splat.Heights)
+  std::array<int, 4> bounds = { r[0], r[1], r[0] + r[2], r[1] + r[3] };
+  std::array<double, 4> around;
+  if (vtkAlgebraicSplatBounds::Get(this->View.VCDC, center, u, v, n, splat.Heights, around))
   {
-    Vector c;
-    for (int k = 0; k < 3; ++k)
-    {
-      c[k] = center[k] + height * n[k];
-    }
-    const double w = m[11] * c[2] + m[15];
-    const double wu = m[11] * u[2];
-    const double wv = m[11] * v[2];
-    if (w <= 1.0001 * std::hypot(wu, wv))
-    {
-      return all; // it is beside the eye, or behind
-    }
+    const std::array<int, 4> all = bounds;
     for (int k = 0; k < 2; ++k)
     {
-      auto clip = [&](const Vector& p) { return m[k] * p[0] + m[4 + k] * p[1] + m[8 + k] * p[2]; };
-      const double x = clip(c) + m[12 + k];
-      const double xu = clip(u);
-      const double xv = clip(v);
-      const double a2 = w * w - wu * wu - wv * wv;
-      const double b = x * w - xu * wu - xv * wv;
-      const double root = std::sqrt(std::max(b * b - a2 * (x * x - xu * xu - xv * xv), 0.0));
       const double half = 0.5 * this->View.Size[k];
-      const double low = std::floor(half * ((b - root) / a2 + 1.0) - 0.51);
-      const double high = std::ceil(half * ((b + root) / a2 + 1.0) + 0.51);
       auto clamp = [&](double pixel)
       { return static_cast<int>(std::min<double>(std::max<double>(pixel, all[k]), all[2 + k])); };
-      bounds[k] = std::min(bounds[k], clamp(low));
-      bounds[2 + k] = std::max(bounds[2 + k], clamp(high));
+      bounds[k] = clamp(std::floor(half * (around[k] + 1.0) - 0.51));
+      bounds[2 + k] = clamp(std::ceil(half * (around[2 + k] + 1.0) + 0.51));
     }
   }
   return bounds;
@@ -607,7 +586,9 @@ VTK_POINT_SURFACE_INLINE void FindFirstRoots(const float* coefficients, const fl
     for (int i = 0; i < Lanes; ++i)
     {
       const float half = -0.5f * p.Of[1][i];
-      const float discriminant = half * half - p.Of[2][i] * p.Of[0][i];
+      // exact products: nearly equal ones would leave rounding alone, and with it wrong roots
+      const auto discriminant = static_cast<float>(
+        static_cast<double>(half) * half - static_cast<double>(p.Of[2][i]) * p.Of[0][i]);
       const float size = std::sqrt(discriminant > 0.0f ? discriminant : 0.0f);
       const float sum = half < 0.0f ? half - size : half + size;
       const float one = sum / p.Of[2][i];

@@ -6,7 +6,7 @@
 #include "vtkAlgebraicSplatTransform.h"
 #include "vtkAlgebraicSplatVS.h"
 #include "vtkDrawableSplats.h"
-#include "vtkFirstRoot.h"
+#include "vtkFirstRootShader.h"
 #include "vtkPointSurfaceCompat.h"
 #include "vtkPointSurfaceView.h"
 
@@ -238,10 +238,10 @@ void vtkAlgebraicSplatTracingOpenGL::DrawSplats(vtkOpenGLRenderWindow* window,
     {
       continue;
     }
-    const std::string fragmentShader = "//VTK::System::Dec\n#define ORDER " +
-      std::to_string(order) + "\n" +
+    const std::string fragmentShader = std::string("//VTK::System::Dec\n") +
+      vtkFirstRootShader::GetExtensions() + "#define ORDER " + std::to_string(order) + "\n" +
       (visible ? vtkSurfaceTarget::GetInputDeclarations(visible->GetLayers(), "in") : "") +
-      vtkSurfaceTarget::GetOutputDeclarations(target.GetLayers()) + vtkFirstRoot +
+      vtkSurfaceTarget::GetOutputDeclarations(target.GetLayers()) + vtkFirstRootShader::GetText() +
       vtkAlgebraicSplatFS;
     vtkShaderProgram* program =
       window->GetShaderCache()->ReadyShaderProgram(vtkAlgebraicSplatVS, fragmentShader.c_str(), "");

@@ -8,6 +8,8 @@ uniform mat3 toEye;
 uniform vec3 origin;          // of the splats, in eye coordinates
 uniform mat4 VCDCMatrix;
 uniform vec2 pixel;           // the size of a pixel in normalised device coordinates
+uniform vec4 planes[8];       // what is behind one of them is not seen, in eye coordinates
+uniform int numberOfPlanes;
 
 flat out vec3 center;
 // From eye vectors to the splat's frame in units of its disc.
@@ -60,6 +62,17 @@ void main()
     vec2 root = sqrt(max(b * b - a * (c.xy * c.xy - cu.xy * cu.xy - cv.xy * cv.xy), 0.0));
     low = min(low, (b - root) / a - pixel);
     high = max(high, (b + root) / a + pixel);
+  }
+  for (int i = 0; i < numberOfPlanes; ++i)
+  {
+    float along = dot(planes[i].xyz, n);
+    float farthest = dot(planes[i].xyz, center) + planes[i].w +
+      max(heights.x * along, heights.y * along) +
+      length(vec2(dot(planes[i].xyz, u), dot(planes[i].xyz, v)));
+    if (farthest < 0.0)
+    {
+      low = high; // nothing of it is before the plane
+    }
   }
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
   gl_Position = vec4(mix(clamp(low, -1.0, 1.0), clamp(high, -1.0, 1.0), corner), 0.0, 1.0);

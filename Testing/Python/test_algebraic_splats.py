@@ -435,6 +435,47 @@ def test_agrees_with_the_reference(backend):
         assert np.abs(buffer("Depth") / np.where(covered, truth["depth"], 1) - 1)[same].max() < 1e-4
 
 
+def look(renderer, position, target, near, far, angle=40, center=(0, 0), parallel=False):
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(*position)
+    camera.SetFocalPoint(*target)
+    camera.SetViewAngle(angle)
+    camera.SetWindowCenter(*center)
+    camera.SetParallelProjection(parallel)
+    camera.SetParallelScale(0.7)
+    camera.SetClippingRange(near, far)
+
+
+VIEWS = {
+    "cut by the near plane": lambda r: look(r, (0, 0, 1.4), (0.3, 0.1, 0), 0.5, 5),
+    "the eye amid splats": lambda r: look(r, (0, 0, 1.02), (0.5, 0.2, 0.6), 0.01, 5, angle=80),
+    "grazing": lambda r: look(r, (1.01, 0, 1.5), (1.01, 0, -1), 0.1, 5),
+    "off the axis": lambda r: look(r, (0, 0, 1.6), (1.6, 1.2, 0), 0.05, 5, angle=140),
+    "off-centre window": lambda r: look(r, (0, 0, 4), (0, 0, 0), 1, 9, center=(0.6, -0.4)),
+    "parallel, aside": lambda r: look(r, (0, 0.9, 4), (0.8, 0.9, 0), 1, 9, parallel=True),
+}
+
+
+@pytest.mark.parametrize("backend", [1, 2])
+@pytest.mark.parametrize("view", VIEWS)
+def test_no_splat_is_cut_by_what_bounds_it(backend, view):
+    """Large ones, in views in which it is hard to tell where on the screen they are; the reference looks everywhere."""
+    splats = fit(sphere(400), Order=2, NumberOfNeighbors=20).GetOutput()
+    mapper, renderer, window = drawn(splats, (64, 64), Backend=backend)
+    VIEWS[view](renderer)
+    window.Render()
+    truth = reference.draw(splats, renderer, (64, 64), mapper.GetDepthShift(), mapper.GetWeightFalloff(),
+                           mapper.GetSeparateSides())
+    buffer = surface_buffer(mapper)
+    covered = truth["depth"] > 0
+    differ = ((buffer("Depth") > 0) != covered) | (buffer("PointIds") != truth["id"])
+    same = covered & ~differ & ~truth["close"]
+    print(view, "covered", covered.sum(), "differ", (differ & ~truth["close"]).sum(), "close", truth["close"].sum())
+    assert covered.sum() > 300
+    assert (differ & ~truth["close"]).sum() <= 0.001 * covered.sum()
+    assert np.abs(buffer("Depth") / np.where(covered, truth["depth"], 1) - 1)[same].max() < 1e-4
+
+
 def test_blending_normals_errs_no_more_than_blending_shades():
     """The paper blends colours that were lit splat by splat; the mapper blends normals, which are lit once."""
     for order in (1, 2, 3):

@@ -18,13 +18,26 @@ def algebraic():
     return module
 
 
+def row(what, order, **changes):
+    return {"what": what, "order": order, "count": 1234, "bytes": 2048, "fit": 1.26, "frame": 7.0, "error": 1e-4,
+            "worst": 2e-3, "unfilled": 3e-5, **changes}
+
+
+def rows(**changes):
+    closed = [row("hole-free, s = 1", order, **(changes if order > 1 else {})) for order in (1, 2, 3, 4)]
+    return [*closed, row("planes, s = 0.25", 1, bytes=8192)]
+
+
+MILLION = {"clock": 5.67, "processors": 10.5, "splats": 65937, "memory": 82.4}
+
+
 def test_a_run_goes_on_where_it_was_stopped(algebraic, monkeypatch, tmp_path):
-    row = {"what": "hole-free", "order": 3, "count": 1234, "bytes": 2048, "fit": 1.26, "frame": 7.0, "error": 1e-4,
-           "worst": 2e-3, "unfilled": 3e-5}
+    table = "| degree | polynomials | solver | count | missed | separated |\n| 2 | hard | shader | 120000 | 2 | 1 |\n"
     printed = {
-        "--measure": "a warning\n" + json.dumps({"rows": [row], "renderer": "a renderer"}),
-        "--million": "A million points",
-        "TestPolynomialRoots": "some words\n| degree | missed |\n",
+        "--measure": "a warning\n" + json.dumps({"rows": rows(), "renderer": "a renderer"}),
+        "--million": json.dumps(MILLION),
+        "TestPolynomialRoots": "some words\n" + table,
+        "TestFirstRootShader": table,
     }
     ran = []
 
@@ -41,9 +54,28 @@ def test_a_run_goes_on_where_it_was_stopped(algebraic, monkeypatch, tmp_path):
     with pytest.raises(KeyboardInterrupt):
         algebraic.make_report(["sphere"], "tests", 10, str(tmp_path))
     report = algebraic.make_report(["sphere"], "tests", 10, str(tmp_path))
-    assert sorted(ran) == ["--measure", "--million", "TestPolynomialRoots", "TestPolynomialRoots"]
-    assert "| sphere | hole-free | 3 | 1234 | 1.2 | 2 | 1.3 | 7 | 0.0100 | 0.200 | 0.003 |" in report
-    for line in ("a renderer", "A million points", "| 52 | 1 |", "| degree | missed |"):
+    assert sorted(ran) == ["--measure", "--million", "TestFirstRootShader", "TestPolynomialRoots", "TestPolynomialRoots"]
+    assert "| sphere | hole-free, s = 1 | 3 | 1234 | 1.2 | 2 | 1.3 | 7 | 0.0100 | 0.200 | 0.003 |" in report
+    for line in ("a renderer", "5.7 s by the clock", "| 52 | 1 |", "| 2 | hard | shader | 120000 | 2 | 1 |",
+                 "| sphere | 0.003, met | 2: 1.2, met | 25, met | 100, not met |",
+                 "separated by more than 1e-4, OpenGL | 1, not met | at most 0 |"):
         assert line in report
-    assert "some words" not in report
-    assert algebraic.make_report(["sphere"], "tests", 10, str(tmp_path)) == report and len(ran) == 4
+    assert "some words" not in report and report.count("| degree | polynomials |") == 1
+    assert algebraic.make_report(["sphere"], "tests", 10, str(tmp_path)) == report and len(ran) == 5
+
+
+@pytest.mark.parametrize("changes, expected", [
+    ({"unfilled": 2e-3}, "| m | 0.200, not met | 2: 1.2, met | 25, met | 100, not met |"),
+    ({"count": 10_000}, "| m | 0.003, met | 2: 10.0, not met | 25, met | 100, not met |"),
+    ({"bytes": 4096}, "| m | 0.003, met | 2: 1.2, met | 50, not met | 200, not met |"),
+    ({"bytes": 1000}, "| m | 0.003, met | 2: 1.2, met | 12, met | 49, met |"),
+    ({"error": 2e-3}, "| m | 0.003, met | none, not met | | |"),
+])
+def test_claims_are_judged(algebraic, changes, expected):
+    assert algebraic.judge_model("m", rows(**changes)) == expected
+
+
+def test_the_cheapest_order_within_the_error_is_judged(algebraic):
+    every = rows()
+    every[1]["error"] = 2e-3  # of quadrics
+    assert "| 3: 1.2, met |" in algebraic.judge_model("m", every)
