@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from scenes import (
     MAPPERS,
+    TUBE,
     Scene,
     array,
     assert_baseline,
@@ -109,12 +110,25 @@ MATERIALS = {
 }
 
 
+def eye_depth(scene):
+    near, far = scene.camera.GetClippingRange()
+    return near * far / (far - scene.depth() * (far - near))
+
+
 def inner_difference(mapper_class, prepare, data=(torus_cloud, torus_mesh)):
-    """In grey levels, over what both cover: the mean over all channels, and the mean of each pixel's largest one."""
+    """In grey levels, over what both cover: the mean over all channels, and the mean of each pixel's largest one.
+
+    Where the tube's front ends before its back, a few pixels show the one in the cloud and the other in the mesh. What they
+    differ by is the contrast there, which is the lights' and not the mapper's, and would be most of the mean of a mapper
+    whose normals are good: they are counted instead.
+    """
     cloud, mesh = cloud_and_mesh(mapper_class, prepare, data)
     pictures = cloud.color(), mesh.color()
     mask = covered_by_both(cloud, mesh)
     assert np.count_nonzero(mask) > 8000
+    other_sheet = mask & (np.abs(eye_depth(cloud) - eye_depth(mesh)) > TUBE / 4)
+    assert np.count_nonzero(other_sheet) <= 0.003 * np.count_nonzero(mask)
+    mask &= ~other_sheet
     assert pictures[0][mask].std() > 0.02 or not cloud.actor.GetProperty().GetLighting(), "nothing is lit"
     of_channels = 255 * np.abs(pictures[0] - pictures[1])[mask]
     return float(of_channels.mean()), difference(*pictures, mask)
@@ -128,8 +142,7 @@ def plain(request):
 
 @pytest.mark.parametrize("name", [*LIGHTS, *MATERIALS])
 def test_lit_as_the_mesh(plain, name):
-    """The mean difference is at most 1.1 times that of the headlight, whose light is white, or what rounding both pictures to
-    eight bits may bring: a quarter of a grey level.
+    """The mean difference is at most 1.1 times that of the headlight, whose light is white.
 
     The largest channel has a floor of a grey level, and more room: with coloured lights each of a pixel's channels is rounded
     by itself, with white ones all three together, so that the largest of three is larger for the same normals.
@@ -137,7 +150,7 @@ def test_lit_as_the_mesh(plain, name):
     mapper_class, headlight = plain
     other = inner_difference(mapper_class, {**LIGHTS, **MATERIALS}[name])
     print(f"{name}: {other[0]:.3f} and {other[1]:.3f}, headlight: {headlight[0]:.3f} and {headlight[1]:.3f}")
-    assert other[0] <= max(1.1 * headlight[0], 0.25)
+    assert other[0] <= 1.1 * headlight[0]
     assert other[1] <= max(1.15 * headlight[1], 1.0)
 
 
