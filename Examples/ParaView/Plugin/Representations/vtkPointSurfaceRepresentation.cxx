@@ -15,6 +15,8 @@
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataObjectTreeRange.h"
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkLogger.h"
 #include "vtkMaskPoints.h"
@@ -174,6 +176,28 @@ vtkSmartPointer<vtkPolyData> Thin(vtkPolyData* points, int level)
   return mask->GetOutput();
 }
 
+/// Radii that are estimated of fewer points grow by themselves; what vtkGhostPointsGenerator has
+/// told of them has to follow.
+void GrowWhole(vtkPolyData* points, double growth)
+{
+  vtkDataArray* told = points->GetFieldData()->GetArray("vtkWholeCloud");
+  if (told)
+  {
+    vtkNew<vtkDoubleArray> whole;
+    whole->DeepCopy(told);
+    for (const vtkIdType radius : { 6, 7 }) // mean and largest
+    {
+      whole->SetValue(radius, growth * whole->GetValue(radius));
+    }
+    points->GetFieldData()->AddArray(whole);
+  }
+}
+
+double GetGrowth(int level)
+{
+  return std::sqrt(static_cast<double>(1 << level));
+}
+
 bool HasArray(vtkDataObject* data, const char* name)
 {
   for (vtkDataSet* dataSet : vtkCompositeDataSet::GetDataSets<vtkDataSet>(data))
@@ -187,6 +211,11 @@ bool HasArray(vtkDataObject* data, const char* name)
 }
 }
 
+bool vtkPointSurfaceRepresentation::HasRadii(vtkDataObject* data) const
+{
+  return this->HasRadiusArray() || this->Radius > 0.0 || HasArray(data, "radius");
+}
+
 void vtkPointSurfaceRepresentation::UpdateLOD(vtkInformation* inInfo)
 {
   auto* data = vtkDataObjectTree::SafeDownCast(vtkPVView::GetPiece(inInfo, this));
@@ -197,13 +226,23 @@ void vtkPointSurfaceRepresentation::UpdateLOD(vtkInformation* inInfo)
   auto thinned = vtkSmartPointer<vtkDataObjectTree>::Take(data->NewInstance());
   thinned->CopyStructure(data);
   const bool thins = this->ChooseSystem(data) != ALGEBRAIC_SPLATS;
+  const int level = GetLevel(inInfo);
   auto leaf = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(data->NewTreeIterator());
   for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
   {
     vtkDataObject* object = leaf->GetCurrentDataObject();
     auto* points = vtkPolyData::SafeDownCast(object);
-    thinned->SetDataSetFrom(
-      leaf, thins && points ? Thin(points, GetLevel(inInfo)).GetPointer() : object);
+    if (!thins || !points)
+    {
+      thinned->SetDataSetFrom(leaf, object);
+      continue;
+    }
+    const vtkSmartPointer<vtkPolyData> fewer = Thin(points, level);
+    if (!this->HasRadii(data))
+    {
+      GrowWhole(fewer, GetGrowth(level));
+    }
+    thinned->SetDataSetFrom(leaf, fewer);
   }
   vtkPVView::SetPieceLOD(inInfo, this, thinned);
 }
@@ -225,10 +264,8 @@ int vtkPointSurfaceRepresentation::ProcessViewRequest(
   {
     data = vtkPVView::GetDeliveredPiece(inInfo, this);
     const int system = this->ChooseSystem(data);
-    // radii that are estimated grow by themselves
-    const bool grows = system != ALGEBRAIC_SPLATS &&
-      (this->HasRadiusArray() || this->Radius > 0.0 || HasArray(data, "radius"));
-    this->UpdateMappers(system, grows ? std::sqrt(double(1 << GetLevel(inInfo))) : 1.0);
+    const bool grows = system != ALGEBRAIC_SPLATS && this->HasRadii(data);
+    this->UpdateMappers(system, grows ? GetGrowth(GetLevel(inInfo)) : 1.0);
   }
   // The superclass tells the blocks' attributes only to mappers of VTK's own, and then takes them
   // for told.

@@ -126,6 +126,7 @@ private:
   void SetUpMapper(vtkMapper* mapper, double growth) const;
   void UpdateLOD(vtkInformation* inInfo);
   bool HasRadiusArray() const;
+  bool HasRadii(vtkDataObject* data) const; // else they are estimated
 
   vtkNew<vtkGhostPointsGenerator> Ghosts;
   vtkNew<vtkCompositeDataDisplayAttributes> BlockAttributes;
