@@ -160,9 +160,9 @@ Real RootInBracket(const Polynomial<Degree, Real>& p, Real begin, Real end)
   const Polynomial<Degree - 1, Real> derivative = Differentiate<Degree>(p);
   const Real atBegin = Evaluate<Degree>(p, begin);
   const Real atEnd = Evaluate<Degree>(p, end);
-  // where the chord crosses zero
+  // where the chord crosses zero; not at an end, for where it is 0 there, a root may come before
   Real t = begin + (end - begin) * (atBegin / (atBegin - atEnd));
-  t = t >= begin && t <= end ? t : begin + (end - begin) / 2;
+  t = t > begin && t < end ? t : begin + (end - begin) / 2;
   Real lastStep = end - begin;
   for (int i = 0; i < std::numeric_limits<Real>::digits + 20; ++i)
   {

@@ -31,6 +31,10 @@ Real getRoundingError(Polynomial p, Real t)
 int rootsOfQuadratic(Real c, Real b, Real a, out Real3 roots)
 {
   roots = Real3(0.0);
+  if (abs(c) > abs(b) + abs(a)) // too far from 0, and a c may be too small for a float
+  {
+    return 0;
+  }
   Real halfB = -0.5 * b;
   Real discriminant = halfB * halfB - a * c;
 #ifdef USES_DOUBLES
@@ -58,7 +62,7 @@ Real rootInBracket(Polynomial p, Real begin, Real end)
   Real atBegin = evaluate(p, begin);
   Real atEnd = evaluate(p, end);
   Real t = begin + (end - begin) * (atBegin / (atBegin - atEnd));
-  t = t >= begin && t <= end ? t : 0.5 * (begin + end);
+  t = t > begin && t < end ? t : 0.5 * (begin + end); // where 0 at an end, a root may come before
   Real lastStep = end - begin;
   for (int i = 0; i < 40; ++i)
   {

@@ -412,10 +412,10 @@ Mean angle between the normals drawn and the sphere's, in degrees, of splats by 
 ## Root finders
 
 The first root in [0, 1], judged by Sturm's theorem in a hundred digits. Hard: double, triple and nearly multiple roots,
-leading coefficients that vanish, coefficients from 1e-12 to 1e12, rays that graze. Missed: another root is nearer to the
-answer, or there is none, by more than half of 1e-4 (hard), 1e-6 (random, double) or 1e-3 (random, float and shader).
-Bracketed is what vtkAlgebraicSplatMapper has: in double where a ray may have several roots. Shader is what it has on
-OpenGL, run there: in double too, if the context has that. Nanoseconds are of the processor's time.
+leading coefficients that vanish, coefficients from 1e-12 to 1e12, rays that graze, a last root at 1. Missed: another
+root is nearer to the answer, or there is none, by more than half of 1e-4 (hard), 1e-6 (random, double) or 1e-3 (random,
+float and shader). Bracketed is what vtkAlgebraicSplatMapper has: in double where a ray may have several roots. Shader
+is what it has on OpenGL, run there: in double too, if the context has that. Nanoseconds are of the processor's time.
 
 """ + "\n".join(roots) + "\n"
     return text

@@ -285,7 +285,7 @@ vtkPolynomialRoots::Polynomial<Degree, double> Multiply(const std::vector<double
 }
 
 /// Double, triple and nearly multiple roots, leading coefficients that vanish, coefficients of all
-/// sizes, rays that graze.
+/// sizes, rays that graze, a last root at 1.
 template <int Degree>
 Polynomials<Degree> MakeHard(int count)
 {
@@ -342,6 +342,16 @@ Polynomials<Degree> MakeHard(int count)
     p[1] = -2.0 * r;
     p[2] = 1.0;
     shuffleSign(p);
+    // all but constant, its coefficients' product too small for a float
+    p = {};
+    p[0] = 1e-12 * (1.0 + r);
+    p[2] = -1e-30;
+    polynomials.push_back(p);
+    if (Degree > 2)
+    {
+      const double early = std::floor(64.0 * r) / 64.0; // exactly 0 at 1
+      polynomials.push_back(Multiply<Degree>({ early, 1.0, 1.0 + early }));
+    }
   }
   return polynomials;
 }
