@@ -22,7 +22,7 @@ of_mesh = lines(mesh, "silhouettes-mesh")
 rows, columns = np.nonzero(silhouettes)
 radius = np.hypot(rows - 149.5, columns - 149.5)
 print(silhouettes.sum(), of_mesh.sum(), "pixels of line, at radii", radius.min(), "to", radius.max())
-assert silhouettes.sum() > 700  # the circumference has 750 pixels
+assert silhouettes.sum() > 670  # a circle of pixels that touch at corners at least has 4 sqrt(2) 120 = 679
 assert abs(radius - 120).max() < 4
 assert abs(silhouettes.sum() / of_mesh.sum() - 1) < 0.15
 view.LineThickness = 6
