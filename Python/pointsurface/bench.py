@@ -334,7 +334,6 @@ class Stage:
         near, far = self.renderer.GetActiveCamera().GetClippingRange()
         return np.where(depth < 1, near * far / (far - depth * (far - near)), 0)
 
-
     def _time_frames(self, window):
         """Medians after warm-up, camera moving; of fewer frames where they take long, of one at least."""
         camera = self.renderer.GetActiveCamera()
