@@ -306,8 +306,8 @@ def judge_model(name, rows):
     few = min(within, key=lambda row: row["bytes"])
     cells = [unfilled, judge(100 * few["count"] / POINTS, 10, f"{few['order']}: {{:.1f}}")]
     for planes in (next(row for row in rows if row["what"] == "planes, s = 0.25"), closed[1]):
-        equal = "" if planes["error"] <= LARGEST_ERROR else ", of a larger error"
-        cells.append(judge(100 * few["bytes"] / planes["bytes"], 50, "{:.0f}") + equal)
+        times = planes["error"] / few["error"]
+        cells.append(judge(100 * few["bytes"] / planes["bytes"], 50, "{:.0f}") + f", {times:.1f}")
     return f"| {name} | " + " | ".join(cells) + " |"
 
 
@@ -379,10 +379,11 @@ processors' time, {million["splats"]} splats, {million["memory"]:.0f} bytes of m
 At s = 1 at most 0.1% of the pixels are unfilled, of any order. At equal error, which is at most {100 * LARGEST_ERROR:g}% on
 average, quadrics or cubics (of s = 1; named is the order that needs fewer bytes) need under 10% of the input's points,
 and under half the bytes of plane splats. Of these there are two kinds: those of s = 0.25, which by the paper (section 5)
-look as good as higher orders of s = 1; and those of s = 1, which are as few as the quadrics: their error is larger, but
-within the limit too, and a plane has fewer bytes.
+look as good as higher orders of s = 1; and those of s = 1, which are as few as the quadrics, and a plane has fewer
+bytes. Behind each share of bytes stands how many times the quadrics' or cubics' error the planes' is: over 1, even these
+planes do not reach their error, though they may be within the limit.
 
-| model | unfilled, %: at most 0.1 | order: points, %: under 10 | bytes, % of planes', s = 0.25: under 50 | of planes', s = 1: under 50 |
+| model | unfilled, %: at most 0.1 | order: points, %: under 10 | bytes, % of planes', s = 0.25: under 50, error | of planes', s = 1: under 50, error |
 | --- | ---: | ---: | ---: | ---: |
 """ + "\n".join(claims) + """
 

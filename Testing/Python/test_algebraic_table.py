@@ -57,7 +57,7 @@ def test_a_run_goes_on_where_it_was_stopped(algebraic, monkeypatch, tmp_path):
     assert sorted(ran) == ["--measure", "--million", "TestFirstRootShader", "TestPolynomialRoots", "TestPolynomialRoots"]
     assert "| sphere | hole-free, s = 1 | 3 | 1234 | 1.2 | 2 | 1.3 | 7 | 0.0100 | 0.200 | 0.003 |" in report
     for line in ("a renderer", "5.7 s by the clock", "| 52 | 1 |", "| 2 | hard | shader | 120000 | 2 | 1 |",
-                 "| sphere | 0.003, met | 2: 1.2, met | 25, met | 100, not met |",
+                 "| sphere | 0.003, met | 2: 1.2, met | 25, met, 1.0 | 100, not met, 1.0 |",
                  "separated by more than 1e-4, OpenGL | 1, not met | at most 0 |"):
         assert line in report
     assert "some words" not in report and report.count("| degree | polynomials |") == 1
@@ -65,10 +65,11 @@ def test_a_run_goes_on_where_it_was_stopped(algebraic, monkeypatch, tmp_path):
 
 
 @pytest.mark.parametrize("changes, expected", [
-    ({"unfilled": 2e-3}, "| m | 0.200, not met | 2: 1.2, met | 25, met | 100, not met |"),
-    ({"count": 10_000}, "| m | 0.003, met | 2: 10.0, not met | 25, met | 100, not met |"),
-    ({"bytes": 4096}, "| m | 0.003, met | 2: 1.2, met | 50, not met | 200, not met |"),
-    ({"bytes": 1000}, "| m | 0.003, met | 2: 1.2, met | 12, met | 49, met |"),
+    ({"unfilled": 2e-3}, "| m | 0.200, not met | 2: 1.2, met | 25, met, 1.0 | 100, not met, 1.0 |"),
+    ({"count": 10_000}, "| m | 0.003, met | 2: 10.0, not met | 25, met, 1.0 | 100, not met, 1.0 |"),
+    ({"bytes": 4096}, "| m | 0.003, met | 2: 1.2, met | 50, not met, 1.0 | 200, not met, 1.0 |"),
+    ({"bytes": 1000}, "| m | 0.003, met | 2: 1.2, met | 12, met, 1.0 | 49, met, 1.0 |"),
+    ({"error": 5e-5}, "| m | 0.003, met | 2: 1.2, met | 25, met, 2.0 | 100, not met, 2.0 |"),
     ({"error": 2e-3}, "| m | 0.003, met | none, not met | | |"),
 ])
 def test_claims_are_judged(algebraic, changes, expected):
