@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What can be wrong, in words for a user, and what VTK has to complain about."""
 
+import os
 import re
+import sys
 from contextlib import contextmanager
 
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
@@ -43,3 +45,18 @@ def complaints():
     finally:
         vtkOutputWindow.SetInstance(usual)
         vtkLogger.SetStderrVerbosity(verbosity)
+
+
+@contextmanager
+def silent_output():
+    """Keeps off standard output what VTK's objects write there, not through Python's."""
+    sys.stdout.flush()
+    usual = os.dup(1)
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    try:
+        os.dup2(nowhere, 1)
+        yield
+    finally:
+        os.dup2(usual, 1)
+        os.close(usual)
+        os.close(nowhere)

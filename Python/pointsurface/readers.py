@@ -28,7 +28,7 @@ from vtkmodules.vtkFiltersHyperTree import vtkHyperTreeGridToUnstructuredGrid
 
 from . import formats, scans
 from .clouds import make_cloud
-from .errors import UnreadableFile, complaints
+from .errors import UnreadableFile, complaints, silent_output
 from .progress import followed
 
 
@@ -102,7 +102,8 @@ def _read_with_vtk(path, extension, tell):
     with complaints() as said:
         reader = formats.make_reader(form, path) if form else _pcd_reader(path)
         can_tell = hasattr(reader, "AbortExecuteOn")  # importers cannot
-        with followed(reader, f"reading {path}") if tell and can_tell else nullcontext():
+        shown = followed(reader, f"reading {path}") if tell and can_tell else nullcontext()
+        with shown, silent_output() if form and form.prints else nullcontext():
             reader.Update()
     errors = said("ERROR")
     if errors:
@@ -124,8 +125,9 @@ def _require_reader(form, path):
 _TRIAL_SECONDS = 30.0
 _TRIAL_SECONDS_PER_MEGABYTE = 2.0
 
-# What has its data in other files: of the same folder, or (amrex, foam) of folders in it.
-_HEADERS = ("amrex", "cas", "case", "dcm", "encas", "foam", "hierarchy", "mhd", "p3d", "vrt", "xdmf", "xmf")
+# What has its data in other files: of the same folder, or of folders in it.
+_HEADERS = "amrex cas case cfg dcm encas foam hierarchy mhd nek5000 p3d vrt wind xdmf xmf".split()
+_HEADERS_OF_FOLDERS = ("amrex", "foam", "wind")
 
 
 def _bytes_to_read(path, extension):
@@ -133,7 +135,7 @@ def _bytes_to_read(path, extension):
     if extension not in _HEADERS:
         return os.path.getsize(path)
     folder = path if os.path.isdir(path) else os.path.dirname(os.path.abspath(path))
-    names = glob.iglob(os.path.join(glob.escape(folder), "**" if extension in ("amrex", "foam") else "*"), recursive=True)
+    names = glob.iglob(os.path.join(glob.escape(folder), "**" if extension in _HEADERS_OF_FOLDERS else "*"), recursive=True)
     return sum(os.path.getsize(name) for name in names if os.path.isfile(name))
 
 
@@ -206,6 +208,34 @@ def _ply_bytes(header):
         elif words[:1] == ["property"]:
             size += count * _PLY_SIZES[words[1]]
     return size
+
+
+def _check_avm(path):
+    """VTK takes what it finds in memory for the part of a file that is missing."""
+    with open(path, "rb") as file:
+        head = file.read(10)
+        if not head.startswith(b"AVMESH"):
+            return  # VTK's reader says so
+        order = "little" if head[6:] == b"\1\0\0\0" else "big"
+
+        def take(count):
+            content = file.read(4 * count)
+            return [int.from_bytes(content[i : i + 4], order, signed=True) for i in range(0, 4 * count, 4)]
+
+        version = take(1)[0]
+        is_first = version == 1  # with neighbours of faces, and polyhedra, that VTK does not read
+        file.seek(154)
+        file.seek(158 + max(take(1)[0], 0) + (944 if is_first else 964))
+        nodes, *_ = take(6)
+        file.seek(0 if is_first else 40, os.SEEK_CUR)
+        patches, hexahedra, tetrahedra, prisms, pyramids = take(5)
+        file.seek(4 if is_first else 0, os.SEEK_CUR)
+        triangles, _, quadrangles, _ = take(4)
+        needed = file.tell() + (36 if is_first else 20) + 52 * patches + 24 * nodes
+    needed += 4 * ((4 + is_first) * triangles + (5 + is_first) * quadrangles)
+    needed += 4 * (8 * hexahedra + 4 * tetrahedra + 6 * prisms + 5 * pyramids)
+    if os.path.getsize(path) < needed:
+        raise UnreadableFile(f"{path} is cut short: its header asks for {needed} bytes, not {os.path.getsize(path)}")
 
 
 _MRC_SIZES = {0: 1, 1: 2, 2: 4, 6: 2}  # bytes of a value, by mode
@@ -361,6 +391,7 @@ def _place_cube(path, volume):
 # What VTK's readers do not notice.
 _CHECKS = {
     "amrex": _check_amrex,
+    "avm": _check_avm,
     "cube": _check_cube,
     "dcm": _check_dcm,
     "mrc": _check_mrc,

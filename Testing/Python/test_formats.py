@@ -13,6 +13,8 @@ import zlib
 
 import numpy as np
 import pytest
+import small_files
+from small_files import BOX, CORNERS, FACES, rows
 from test_readers import check_fault, ramp, tetrahedron
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkVersion
@@ -39,14 +41,7 @@ from pointsurface import subjects
 from pointsurface.formats import FORMATS, NOT_READ
 from pointsurface.readers import read
 
-CORNERS = np.eye(4)[:, :3]  # of the tetrahedron, which has "height", 0 to 3, at them
-FACES = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]
 VALUES = np.arange(72).reshape(2, 3, 12)  # of the ramp, by z, y, x
-BOX = np.stack(np.meshgrid([0, 1], [0, 2], [0, 3], indexing="ij")[::-1])  # corners of a box: x 0 and 3, y 0 and 2, z 0 and 1
-
-
-def rows(pattern, values=CORNERS, first=1):
-    return "".join(pattern.format(i, *row) for i, row in enumerate(values, first))
 
 
 def cell():
@@ -583,14 +578,20 @@ FACET = (
 BOXES = {
     "cgns": lambda path: path.write_bytes(zlib.decompress(base64.b64decode(CGNS))),
     "htg": write_htg,
+    "nek5000": small_files.write_nek5000,
     "p3d": write_plot3d,
     "sgy": write_segy,
+    "wind": small_files.write_wind,
 }
 POINTS = {
     "3ds": write_3ds,
+    "avm": small_files.write_avmesh,
+    "b3dm": small_files.write_b3dm,
+    "bts": small_files.write_bts,
     "byu": write_byu,
     "cas": write_fluent,
     "case": write_ensight,
+    "cfg": small_files.write_motion,
     "cml": lambda path: path.write_text(CML),
     "exo": lambda path: write(path, vtkExodusIIWriter(), cell()),
     "facet": lambda path: path.write_text(FACET),
@@ -601,6 +602,7 @@ POINTS = {
     "inp": lambda path: path.write_text(UCD),
     "neu": write_gambit,
     "off": lambda path: path.write_text(OFF),
+    "omf": small_files.write_omf,
     "pdb": lambda path: path.write_text(PDB),
     "pvtk": lambda path: write(path, vtkPDataSetWriter(), cell()),
     "tag": lambda path: write(path, vtkMNITagPointWriter(), triangles()),
@@ -610,10 +612,11 @@ POINTS = {
     "vtpc": lambda path: write(path, vtkXMLPartitionedDataSetCollectionWriter(), collection()),
     "vtpd": lambda path: write(path, vtkXMLPartitionedDataSetWriter(), partitioned()),
     "wrl": write_vrml,
+    "x3d": small_files.write_x3d,
     "xmf": lambda path: path.write_text(XDMF),
     **BOXES,
 }
-WITH_HEIGHT = ("case", "exo", "h5part", "inp", "pvtk", "tec", "vtpc", "vtpd", "xmf", "cgns")
+WITH_HEIGHT = ("case", "exo", "h5part", "inp", "pvtk", "tec", "vtpc", "vtpd", "xmf", "cgns", "omf", "wind")
 
 
 def has_reader(extension):
@@ -622,18 +625,21 @@ def has_reader(extension):
 
 
 @pytest.mark.parametrize("extension", POINTS)
-def test_points(tmp_path, extension):
+def test_points(tmp_path, extension, capfd):
     path = tmp_path / f"points.{extension}"
     POINTS[extension](path)
     if not has_reader(extension):
         pytest.skip(f"this VTK has no {FORMATS[extension].reader}")
     cloud = read(str(path))
+    assert capfd.readouterr() == ("", "")
     assert cloud.IsA("vtkPolyData")
     points = vtk_to_numpy(cloud.GetPoints().GetData())
     expected = BOX.reshape(3, -1).T if extension in BOXES else CORNERS
     if extension == "sgy":
         expected = expected * (1, 1, -1)  # time goes down
-    if extension in ("cas", "geojson", "gml", "sgy", "tri"):  # points that are there twice; another order
+    if extension == "wind":
+        expected = expected + (0, 0, 0.5)
+    if extension in ("avm", "cas", "cfg", "geojson", "gml", "sgy", "tri"):  # points that are there twice; another order
         points, expected = np.unique(points, axis=0), np.unique(expected, axis=0)
     assert np.allclose(points, expected)
     if extension in WITH_HEIGHT:
@@ -676,7 +682,7 @@ def test_broken_files(tmp_path, extension, content, capfd):
     assert capfd.readouterr() == ("", "")
 
 
-CUT = ["3ds", "cgns", "cube", "exo", "facet", "flash", "h5part", "gml", "inp", "mnc", "nc", "neu", "slc", "tag", "vtkhdf"]
+CUT = ["3ds", "avm", "b3dm", "bts", "cgns", "cube", "exo", "facet", "flash", "h5part", "gml", "inp", "mnc", "nc", "neu", "nek5000", "omf", "slc", "tag", "vtkhdf", "x3d"]
 
 
 SHARES = [(e, s) for e in CUT for s in (0.9, 0.5)] + [("byu", 0.5), ("case", 0.5), ("tri", 0.9)]
