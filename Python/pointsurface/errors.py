@@ -48,15 +48,19 @@ def complaints():
 
 
 @contextmanager
-def silent_output():
-    """Keeps off standard output what VTK's objects write there, not through Python's."""
+def silent(stream):
+    """Keeps off standard output (1) or standard error (2) what VTK's objects write there, not through Python's; 0: nothing."""
+    if not stream:
+        yield
+        return
     sys.stdout.flush()
-    usual = os.dup(1)
+    sys.stderr.flush()
+    usual = os.dup(stream)
     nowhere = os.open(os.devnull, os.O_WRONLY)
     try:
-        os.dup2(nowhere, 1)
+        os.dup2(nowhere, stream)
         yield
     finally:
-        os.dup2(usual, 1)
+        os.dup2(usual, stream)
         os.close(usual)
         os.close(nowhere)

@@ -10,24 +10,28 @@ if __name__ == "__main__" and not getattr(sys.flags, "safe_path", False):
     del sys.path[0]  # the folder of the package, whose modules are not to be taken for others of their names
 
 import importlib
+import json
+import os
+from contextlib import contextmanager
 from typing import NamedTuple
 
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+from vtkmodules.vtkParallelCore import vtkDummyController, vtkMultiProcessController
 
 
 class Format(NamedTuple):
     """The reader or importer of VTK's for an extension: its module in vtkmodules, its name, how it takes the path, whether
-    it is tried first (on files that are broken it crashes, or prints a line and goes on), which output is taken, and whether
-    it prints on standard output whatever it reads."""
+    it is tried first (on files that are broken it crashes, or prints a line and goes on), which output is taken, and
+    where it prints something whatever it reads (1: standard output, 2: standard error)."""
 
     module: str
     reader: str
     takes_path: str = "SetFileName"
     is_tried: bool = True
     port: int = 0
-    prints: bool = False
+    prints: int = 0
 
 
 _AMR = Format("vtkIOXML", "vtkXMLUniformGridAMRReader", is_tried=False)
@@ -59,6 +63,7 @@ FORMATS = {
     # volumes
     "cube": Format("vtkIOChemistry", "vtkGaussianCubeReader2", port=1),
     "dcm": Format("vtkIOImage", "vtkDICOMImageReader", takes_path="SetDirectoryName"),
+    "h5rage": Format("vtkIOH5Rage", "vtkH5RageReader"),
     "mha": _META,
     "mhd": _META,
     "mnc": Format("vtkIOMINC", "vtkMINCImageReader"),
@@ -71,6 +76,7 @@ FORMATS = {
     "slc": Format("vtkIOImage", "vtkSLCReader"),
     "tif": _TIFF,
     "tiff": _TIFF,
+    "vpc": Format("vtkIOVPIC", "vtkVPICReader"),
     "vti": Format("vtkIOXML", "vtkXMLImageDataReader", is_tried=False),
     "vtr": _XML,
     # volumes of levels, finer where that is needed (AMR)
@@ -110,21 +116,25 @@ FORMATS = {
     "cas": Format("vtkIOGeometry", "vtkFLUENTReader"),
     "case": _ENSIGHT,
     "cgns": Format("vtkIOCGNSReader", "vtkCGNSReader"),
+    "d3plot": Format("vtkIOLSDyna", "vtkLSDynaReader"),
     "e": _EXODUS,
     "encas": _ENSIGHT,
+    "erfh5": Format("vtkIOERF", "vtkERFReader", prints=2),
     "ex2": _EXODUS,
     "exii": _EXODUS,
     "exo": _EXODUS,
     "foam": Format("vtkIOGeometry", "vtkOpenFOAMReader"),
     "htg": Format("vtkIOXML", "vtkXMLHyperTreeGridReader"),
     "inp": Format("vtkIOGeometry", "vtkAVSucdReader"),
-    "nek5000": Format("vtkIOParallel", "vtkNek5000Reader", prints=True),
+    "nek5000": Format("vtkIOParallel", "vtkNek5000Reader", prints=1),
     "neu": Format("vtkIOGeometry", "vtkGAMBITReader"),
     "p3d": Format("vtkIOParallel", "vtkPlot3DMetaReader"),
+    "pio": Format("vtkIOPIO", "vtkPIOReader"),
     "pvts": _XML,
     "pvtu": _XML,
     "segy": _SEGY,
     "sgy": _SEGY,
+    "smv": Format("vtkIOFDS", "vtkFDSReader"),
     "tec": _TECPLOT,
     "tp": _TECPLOT,
     "vrt": Format("vtkIOGeometry", "vtkProStarReader"),
@@ -137,6 +147,13 @@ FORMATS = {
     "vtmb": _XML,
     "vtpc": Format("vtkIOXML", "vtkXMLPartitionedDataSetCollectionReader"),
     "vtpd": Format("vtkIOXML", "vtkXMLPartitionedDataSetReader"),
+}
+
+# What files with particles and nothing else are read with, whose extension is that of volumes of levels.
+PARTICLES = {
+    "amrex": Format("vtkIOAMR", "vtkAMReXParticlesReader", takes_path="SetPlotFileName"),
+    "flash": Format("vtkIOAMR", "vtkAMRFlashParticlesReader"),
+    "hierarchy": Format("vtkIOAMR", "vtkAMREnzoParticlesReader"),
 }
 
 
@@ -173,13 +190,10 @@ NOT_READ = {
     "flat pictures": "vtkBMPReader vtkDEMReader vtkHDRReader vtkJPEGReader vtkPNGReader vtkPNMReader vtkTGAReader",
     "bytes whose sizes no header tells": "vtkImageReader vtkImageReader2 vtkVolume16Reader",
     "has the extension of a reader of the table, or none of its own": """
-        vtkAMReXParticlesReader vtkAMREnzoParticlesReader vtkAMRFlashParticlesReader vtkCesium3DTilesReader
-        vtkCONVERGECFDReader vtkEnSightMasterServerReader vtkEnSightSOSGoldReader vtkFLUENTCFFReader vtkGESignaReader
+        vtkCesium3DTilesReader vtkCONVERGECFDReader vtkEnSightMasterServerReader vtkEnSightSOSGoldReader vtkFLUENTCFFReader vtkGESignaReader
         vtkMFIXReader vtkMNIObjectReader vtkMPASReader vtkNetCDFCAMReader vtkNetCDFPOPReader vtkNetCDFUGRIDReader
         vtkSEPReader vtkSLACParticleReader vtkSLACReader vtkTRUCHASReader vtkVASPAnimationReader vtkVASPTessellationReader
         vtkVeraOutReader vtkXYZMolReader vtkXYZMolReader2""",
-    "no small file of it was to be had to test this with": """
-        vtkERFReader vtkFDSReader vtkH5RageReader vtkLSDynaReader vtkPIOReader vtkVPICReader""",
 }
 
 
@@ -221,9 +235,31 @@ class Scene:
         return self._output
 
 
+@contextmanager
+def controller():
+    """Some readers ask VTK's controller of processes who they are, and crash where there is none."""
+    if vtkMultiProcessController.GetGlobalController() is not None:
+        yield
+        return
+    alone = vtkDummyController()
+    vtkMultiProcessController.SetGlobalController(alone)
+    try:
+        yield
+    finally:
+        vtkMultiProcessController.SetGlobalController(None)
+
+
 def make_reader(form, path):
     """A reader that has been told the path, and to read all arrays."""
-    reader = reader_class(form)()
+    if form.reader in ("vtkH5RageReader", "vtkPIOReader"):
+        with controller():
+            reader = reader_class(form)()
+    else:
+        reader = reader_class(form)()
+    if form.reader == "vtkAMReXParticlesReader":
+        folder, kind = os.path.split(os.path.abspath(path))
+        reader.SetParticleType(kind)
+        path = folder
     getattr(reader, form.takes_path)(path)
     if form.reader.endswith("Importer"):
         return Scene(reader)
@@ -232,10 +268,18 @@ def make_reader(form, path):
     elif form.reader == "vtkExodusIIReader":
         reader.UpdateInformation()
         reader.SetAllArrayStatus(reader.NODAL, 1)
+    elif form.reader == "vtkFDSReader":
+        for part in ("Devices", "Slices", "Boundaries"):  # and not the grids that they are in
+            reader.AddSelector(f"//{part}")
+    elif form.reader == "vtkAMREnzoParticlesReader":
+        reader.SetParticleType(0)  # which is all
+        reader.Update()  # it knows of no arrays before
+        for i in range(reader.GetNumberOfParticleArrays()):
+            reader.SetParticleArrayStatus(reader.GetParticleArrayName(i), 1)
     elif hasattr(reader, "EnableAllPointArrays"):
         reader.UpdateInformation()
         reader.EnableAllPointArrays()
-    elif form.module == "vtkIOAMR":
+    elif form.module == "vtkIOAMR" and form not in PARTICLES.values():
         reader.UpdateInformation()
         reader.SetMaxLevel(reader.GetNumberOfLevels())
         for i in range(reader.GetNumberOfCellArrays()):
@@ -244,4 +288,4 @@ def make_reader(form, path):
 
 
 if __name__ == "__main__":
-    make_reader(FORMATS[sys.argv[1]], sys.argv[2]).Update()
+    make_reader(Format(*json.loads(sys.argv[1])), sys.argv[2]).Update()

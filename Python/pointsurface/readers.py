@@ -3,8 +3,11 @@
 
 import glob
 import importlib.util
+import json
+import mmap
 import os
 import re
+import struct
 import subprocess
 import sys
 import warnings
@@ -24,11 +27,12 @@ from vtkmodules.vtkCommonDataModel import (
     vtkUniformGridAMR,
 )
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCellDataToPointData, vtkResampleToImage
+from vtkmodules.vtkFiltersGeneral import vtkRectilinearGridToPointSet
 from vtkmodules.vtkFiltersHyperTree import vtkHyperTreeGridToUnstructuredGrid
 
 from . import formats, scans
 from .clouds import make_cloud
-from .errors import UnreadableFile, complaints, silent_output
+from .errors import UnreadableFile, complaints, silent
 from .progress import followed
 
 
@@ -39,7 +43,8 @@ def read(path, tell=False):
     of active scalars, evenly spaced; a tif has a slice a picture, and a folder of dcm files is a volume of slices; points,
     with normals, colours and polygons if the file has them; of grids their points, of molecules their atoms, of scenes
     what is on stage, in its place; of trees all blocks' points as one cloud, with the arrays that all have. Volumes of
-    levels (AMR) are sampled evenly, as finely as their finest level, but at no more than 2^24 places.
+    levels (AMR) are sampled evenly, as finely as their finest level, but at no more than 2^24 places; a file that holds
+    particles and no levels, or a plotfile's folder of them, is points. Of FDS what was measured, the slices and obstacles.
     las, laz, e57: as the module scans tells; pcd, where PointSurface was built with PCL: as vtkPCDReader tells;
     xyz (text, one point a line: x y z, or x y z nx ny nz, or x y z r g b with colours of 0 to 255; blanks or commas
     between the numbers; comments start with # or //); pts (text; behind a line with their number, one point a line:
@@ -80,6 +85,26 @@ def _kind_of_folder(folder):
     return "amrex" if {"Header", "Level_0"} <= set(names) else None
 
 
+def _holds_particles(path, extension):
+    """And nothing else: of a plotfile of AMReX they are in a folder of their own, which has a header of its own."""
+    if extension == "amrex":
+        with open(os.path.join(path, "Header"), "rb") as file:
+            return file.readline().startswith(b"Version_")
+    if extension == "hierarchy":
+        with open(path, encoding="utf-8", errors="replace") as file:
+            counts = re.findall(r"^(NumberOfBaryonFields|NumberOfParticles)\s*=\s*(\d+)", file.read(), re.M)
+        fields, particles = ({int(n) for name, n in counts if name.endswith(end)} for end in ("Fields", "Particles"))
+        return fields == {0} and max(particles, default=0) > 0
+    return _has_bytes(path, b"tracer particles") and not _has_bytes(path, b"node type")  # flash: names, which are as they are
+
+
+def _has_bytes(path, wanted):
+    if os.path.getsize(path) == 0:
+        return False
+    with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
+        return content.rfind(wanted) >= 0
+
+
 def _extension(path):
     if os.path.isdir(path):
         return _kind_of_folder(path)
@@ -95,6 +120,8 @@ def _read_with_vtk(path, extension, tell):
     if extension in _CHECKS:
         _CHECKS[extension](path)
     form = formats.FORMATS.get(extension)
+    if extension in formats.PARTICLES and _holds_particles(path, extension):
+        form = formats.PARTICLES[extension]
     if form:
         _require_reader(form, path)
     if form and form.is_tried:
@@ -103,7 +130,7 @@ def _read_with_vtk(path, extension, tell):
         reader = formats.make_reader(form, path) if form else _pcd_reader(path)
         can_tell = hasattr(reader, "AbortExecuteOn")  # importers cannot
         shown = followed(reader, f"reading {path}") if tell and can_tell else nullcontext()
-        with shown, silent_output() if form and form.prints else nullcontext():
+        with shown, silent(form.prints if form else 0):
             reader.Update()
     errors = said("ERROR")
     if errors:
@@ -126,8 +153,8 @@ _TRIAL_SECONDS = 30.0
 _TRIAL_SECONDS_PER_MEGABYTE = 2.0
 
 # What has its data in other files: of the same folder, or of folders in it.
-_HEADERS = "amrex cas case cfg dcm encas foam hierarchy mhd nek5000 p3d vrt wind xdmf xmf".split()
-_HEADERS_OF_FOLDERS = ("amrex", "foam", "wind")
+_HEADERS = "amrex cas case cfg d3plot dcm encas foam h5rage hierarchy mhd nek5000 p3d pio smv vpc vrt wind xdmf xmf".split()
+_HEADERS_OF_FOLDERS = ("amrex", "foam", "h5rage", "pio", "vpc", "wind")
 
 
 def _bytes_to_read(path, extension):
@@ -141,13 +168,14 @@ def _bytes_to_read(path, extension):
 
 def _try(form, extension, path):
     """Reads the file in a process of its own; a crash, anything printed, or no end raises UnreadableFile."""
-    command = [sys.executable, formats.__file__, extension, path]
+    command = [sys.executable, formats.__file__, json.dumps(form), path]
     limit = _TRIAL_SECONDS + _TRIAL_SECONDS_PER_MEGABYTE * _bytes_to_read(path, extension) / 1e6
     try:
         trial = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=limit)
     except subprocess.TimeoutExpired:
         raise UnreadableFile(f"{path} cannot be read: {form.reader} does not come to an end in {limit:.0f} s") from None
-    if trial.returncode != 0 or trial.stderr.strip():
+    complains = "ERR|" in trial.stderr if form.prints == 2 else trial.stderr.strip()
+    if trial.returncode != 0 or complains:
         said = re.sub(r"\x1b\[\d*m", "", trial.stderr)  # colours
         said = re.sub(r"^(?:.*\| )?(?:\w+ \(0x\w+\): )?", "", said, flags=re.M)  # time, place, object
         reason = next((line.strip() for line in said.splitlines() if line.strip()), "nothing, and crashes")
@@ -388,11 +416,51 @@ def _place_cube(path, volume):
     volume.SetSpacing([step[axis] for axis, (_, step) in enumerate(axes)])
 
 
+def _check_d3plot(path):
+    """VTK leaves points where they were for the part of the last file that is missing: -999999 says where that ends."""
+    last = path
+    number = 1
+    while os.path.exists(f"{path}{number:02d}"):
+        last = f"{path}{number:02d}"
+        number += 1
+    if not any(_has_bytes(last, struct.pack(order + kind, -999999)) for order in "<>" for kind in "fd"):
+        raise UnreadableFile(f"{last} is cut short, or not of LS-DYNA: it does not have the number -999999 at its end")
+
+
+def _check_vpc(path):
+    """VTK takes what it finds in memory for the part of a file that is missing."""
+    try:
+        parts = list(_parts_of_vpc(path))
+    except (IndexError, ValueError) as error:
+        raise UnreadableFile(f"{path} is no file of VPIC: its header makes no sense at {error}") from error
+    for name, size in parts:
+        with open(name, "rb") as file:
+            head = file.read(123)  # ends with how many places the part has along each axis
+        needed = 123 + size * int(np.prod(np.frombuffer(head[-12:], "=i4"))) if len(head) == 123 else 123
+        if os.path.getsize(name) < needed:
+            raise UnreadableFile(f"{path} cannot be read: {name} is cut short: {os.path.getsize(name)} bytes, not {needed}")
+
+
+def _parts_of_vpc(path):
+    """The files of all steps, and how many bytes each has for a place."""
+    with open(path, encoding="utf-8", errors="replace") as file:
+        lines = [line.split() for line in file]
+    for i, words in enumerate(lines):
+        if words[:1] in (["FIELD_DATA_DIRECTORY"], ["SPECIES_DATA_DIRECTORY"]):
+            folder = os.path.join(os.path.dirname(path), words[1])
+        elif words[:1] in (["FIELD_DATA_VARIABLES"], ["HYDRO_DATA_VARIABLES"]):
+            variables = lines[i + 1 : i + 1 + int(words[1])]
+            size = sum(int(line[-3]) * int(line[-1]) for line in variables)  # components, and bytes of each
+            for name in glob.iglob(os.path.join(glob.escape(folder), "T.*", "*")):
+                yield name, size
+
+
 # What VTK's readers do not notice.
 _CHECKS = {
     "amrex": _check_amrex,
     "avm": _check_avm,
     "cube": _check_cube,
+    "d3plot": _check_d3plot,
     "dcm": _check_dcm,
     "mrc": _check_mrc,
     "pcd": _check_pcd,
@@ -400,6 +468,7 @@ _CHECKS = {
     "stl": _check_stl,
     "tag": _check_tag,
     "tri": _check_tri,
+    "vpc": _check_vpc,
     **dict.fromkeys(("e", "ex2", "exii", "exo", "mnc", "nc", "ncdf"), _check_netcdf),
 }
 
@@ -491,6 +560,11 @@ def _points_of_tree(tree):
 
 
 def _points_of_grid(grid):
+    if isinstance(grid, vtkRectilinearGrid):
+        convert = vtkRectilinearGridToPointSet()
+        convert.SetInputData(grid)
+        convert.Update()
+        grid = convert.GetOutput()
     cloud = vtkPolyData()
     cloud.SetPoints(grid.GetPoints())
     cloud.GetPointData().ShallowCopy(grid.GetPointData())
@@ -502,7 +576,7 @@ def _points_of_blocks(tree):
     blocks = tree.NewIterator()
     while not blocks.IsDoneWithTraversal():
         block = blocks.GetCurrentDataObject()
-        if isinstance(block, vtkPointSet) and block.GetNumberOfPoints() > 0:
+        if isinstance(block, (vtkPointSet, vtkRectilinearGrid)) and block.GetNumberOfPoints() > 0:
             append.AddInputData(block if isinstance(block, vtkPolyData) else _points_of_grid(block))
         blocks.GoToNextItem()
     if append.GetNumberOfInputConnections(0) == 0:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Small files of formats that VTK reads and does not write, by hand: the corners of a tetrahedron, or of a box."""
 
+import base64
 import json
 import struct
 import uuid
@@ -12,9 +13,15 @@ CORNERS = np.eye(4)[:, :3]  # of the tetrahedron, which has "height", 0 to 3, at
 FACES = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]
 BOX = np.stack(np.meshgrid([0, 1], [0, 2], [0, 3], indexing="ij")[::-1])  # corners of a box: x 0 and 3, y 0 and 2, z 0 and 1
 
+VALUES = np.arange(72).reshape(2, 3, 12)  # of the ramp, by z, y, x
+
 
 def rows(pattern, values=CORNERS, first=1):
     return "".join(pattern.format(i, *row) for i, row in enumerate(values, first))
+
+
+def unpack(content, path):
+    path.write_bytes(zlib.decompress(base64.b64decode(content)))
 
 
 def text(value, length):
@@ -153,3 +160,126 @@ def write_wind(path):
         "TIME_STEP_FIRST 0\nTIME_STEP_LAST 0\nTIME_STEP_DELTA 1\nUSE_TURBINE_FILE 0\n"
         'DATA_DIRECTORY steps\nDATA_BASE_FILENAME step.\nDATA_VARIABLES 1\n"height" SCALAR 1 FLOAT 4\n'
     )
+
+
+def write_vpic(path):
+    """A header, and a step in a folder, whose values have a layer around them."""
+    folder = path.parent / "fields" / "T.0"
+    folder.mkdir(parents=True)
+    head = bytes((8, 2, 4, 4, 8)) + struct.pack("<HIfd", 0xCAFE, 0xDEADBEEF, 1, 1)  # sizes of types, and the order of bytes
+    head += ints(0, 1, 0, 12, 3, 2) + struct.pack("<10f", 1, 1, 2, 3, 0, 0, 0, 1, 1, 0)
+    head += ints(0, 1, 0, 0, 4, 3, 14, 5, 4)
+    (folder / "fields.000000.0000").write_bytes(head + np.pad(VALUES, 1).astype("<f4").tobytes())
+    axes = "".join(
+        f"GRID_EXTENTS_{axis} 0 {count * step}\nGRID_DELTA_{axis} {step}\nGRID_TOPOLOGY_{axis} 1\n"
+        for axis, count, step in (("X", 12, 1), ("Y", 3, 2), ("Z", 2, 3))
+    )
+    path.write_text(
+        f"VPIC_HEADER_VERSION 1.0.0\nDATA_HEADER_SIZE 123\nGRID_DELTA_T 1\nGRID_CVAC 1\nGRID_EPS 1\n{axes}"
+        "FIELD_DATA_DIRECTORY fields\nFIELD_DATA_BASE_FILENAME fields\n"
+        'FIELD_DATA_VARIABLES 1\n"values" SCALAR 1 FLOATING_POINT 4\nNUM_OUTPUT_SPECIES 0\n'
+    )
+
+
+def write_fds(path, obstacles=""):
+    """A room of 2 x 2 x 2 cells, and four devices in it, whose values are in a file beside it."""
+    axes = "".join(f"TRN{axis}\n 0\n" + "".join(f" {i} {i}\n" for i in range(3)) + "\n" for axis in "XYZ")
+    room = f"GRID room\n 2 2 2 0\n\nPDIM\n 0 2 0 2 0 2 0 0 0\n\n{axes}OBST\n{obstacles or ' 0'}\n\n"
+    devices = rows("DEVICE\n d{} % TEMPERATURE\n {} {} {} 0 0 0 0 0 0\n\n")
+    path.write_text(f"{room}CSVF\n devc\n {path.stem}_devc.csv\n\n{devices}")
+    path.with_name(f"{path.stem}_devc.csv").write_text("s,C,C,C,C\nTime,d1,d2,d3,d4\n0,0,1,2,3\n")
+
+
+def write_dyna(path):
+    """Words of 32 bits: a header, the corners and a cell; in a file beside it a time, and where the corners are then."""
+    header = np.zeros(64, "<i4")
+    header[14] = np.array(960, "<f4").view("<i4")  # the version
+    header[[15, 16, 20, 23, 24, 27]] = 4, 4, 1, 1, 1, 7  # 3 dimensions, 4 nodes that move, 1 solid of 1 material, its values
+    end = struct.pack("<f", -999999)
+    cell = ints(1, 2, 3, 4, 4, 4, 4, 4, 1)
+    path.write_bytes(header.tobytes() + (CORNERS - 1).astype("<f4").tobytes() + cell + end + bytes(512))
+    state = struct.pack("<f", 0) + CORNERS.astype("<f4").tobytes() + bytes(4 * 7)
+    path.with_name(path.name + "01").write_bytes(state + end)
+
+
+def write_pio(path):
+    """A header, and a dump of one cell: words of 64 bits, and at the end what they are."""
+    path.write_text(f"DUMP_BASE_NAME {path.stem}\n")
+    sizes, lengths = np.zeros(50), np.zeros(40)
+    sizes[42], sizes[[16, 17, 29]], lengths[[21, 22, 38]] = 3, 1, (3, 2, 1)  # dimensions; cells along each, their sizes
+    name = np.frombuffer(b"none    " * 32, "<f8")
+    fields = [("hist_size", [1]), ("global_numcell", [1]), ("cell_daughter", [0]), ("cell_level", [1])]
+    fields += [("cell_center", [place]) for place in (1.5, 1, 0.5)] + [("cell_momentum", [1])] * 3
+    fields += [("amhc_i", sizes), ("amhc_r8", lengths), ("controller_i", [0, 0]), ("controller_r8", [0, 0])]
+    fields += [("l_eap_version", name[:2]), ("hist_usernm", name[:4]), ("hist_prbnm", name), ("mass", [1]), ("vcell", [1])]
+    content = index = b""
+    for i, (field, values) in enumerate(fields):
+        part = i - 3 if field == "cell_center" else i - 6 if field == "cell_momentum" else 0
+        index += field.ljust(32).encode() + doubles(part, len(values), 11 + len(content) // 8, 0)
+        content += np.asarray(values, "<f8").tobytes()
+    head = b"pio_file" + doubles(2, 4, 32, 11, 8) + b" " * 16 + doubles(len(fields), 11 + len(content) // 8, 0)
+    path.with_name(f"{path.stem}-dmp000000").write_bytes(head + content + index)
+
+
+def write_h5rage(path):
+    path.write_text(f"HDF_BASE_NAME {path.stem}\n")
+    unpack(H5RAGE, path.with_name(f"{path.stem}-h0001values000001"))
+
+
+def write_amrex_particles(path):
+    (path / "Level_0").mkdir(parents=True)
+    (path / "Header").write_text("Version_Two_Dot_Zero_double\n3\n1\nheight\n0\n0\n4\n5\n0\n1\n0 4 0\n")
+    (path / "Level_0" / "DATA_00000").write_bytes(np.column_stack([CORNERS, range(4)]).astype("<f8").tobytes())
+
+
+def write_enzo_particles(path):
+    path.with_suffix("").write_text("InitialCycleNumber = 0\nInitialTime = 0\nTopGridRank = 3\n")
+    path.with_suffix(".boundary").write_text("")
+    unpack(ENZO_PARTICLES, path.with_suffix(".grid"))
+    path.write_text(
+        "Grid = 1\nGridRank = 3\nGridDimension = 4 4 4\nGridStartIndex = 0 0 0\nGridEndIndex = 3 3 3\n"
+        "GridLeftEdge = 0 0 0\nGridRightEdge = 1 1 1\nTime = 0\nNumberOfBaryonFields = 0\n"
+        f"BaryonFileName = {path.stem}.grid\nNumberOfParticles = 4\nParticleFileName = {path.stem}.grid\n"
+        "Pointer: Grid[1]->NextGridThisLevel = 0\nPointer: Grid[1]->NextGridNextLevel = 0\n"
+    )
+
+
+# In HDF5: values of the ramp, with its rows in y from the last one on; the corners, as ERF has nodes, and as particles.
+H5RAGE = """
+eNrt1zFIw0AUgOG7pJUoCi0IFhHM4ODg0MGhg2ArrXQQLerg4FDBoYODQ4cqgkVEoog4Ojo6Ojp2dHR0dHR0dNM/yQuYqEUrlBbz6NfXXC6543qXXk/LxcWR
+ofEh5YZlqYRKqY/xJpFKh4+D81XJWrIj+cYIyrV3LiPlabl/tN76aqnk1n6LRNBONuFnW8XxH6NcKlTcvCHH05LvjXC97a36lpsbcrwneT8yT7M/bFerpH+N
+Do5zfjb9gqB5U/Kw5O/KTVaCe2XanlQJmdFjlho7lPNJZXnnDcPwGrBk5dCcJStAh3tY6+r3sLa8UtT0XDqjbLN9/eBp0ki2rxc8H5yB9vXs6I37ND7PK38E
+tNah+fL3eWMPfj3jnb4aDzOynjofj8pgeGR7czy6F60CT1E84BFPeMYLXqEWlErAwjDylFVQxS6acHCJK1zjBre4K/htNOd5y/NCE9do4QmKOinYyLr3pI06
+GjhAE0c4xgkcnOEcF25/UEQZS6hgHRvYRBXbqGEHKYwigwnYmMI0ZpDFLHKYW/h9/72Qet7HfPzrHUccccQRR7/tQ41P/2c63Xdtyr7L6ul91zsjJ3Ar
+"""
+
+ERF = """
+eNrtWz1M20AUPucHAhSVtKiKSqtGtKIRrWiKGKhaARG4DWoLiDKwNQGMiBqSKDYItox0Y2RkZGRk7MjIyMiYkZGNOr67JO85TpyUUKq+D6HjOe/usP3d9979
+5Gd85mNv9+NuVkIgwHysj1XjWiA3B235eUKUiij3RHnkkdcV67OQuB4U7WO/pUVVLXlfI8h+Lvy8DDDC/4i4GlsolcvCliw99UC/XFY3qvkY/8N+nfgb93J7
+w++Ov8Uu4i/xt8LfiNRLP/TT8usbWnJNywt7NZvRjWTGYEhnoy77/TY3P1NisORd2AvbwTwmNKcDC51Cd7rc6cBlL+kA6UBFBySf9rtsOrCSzq7+wON+qsV+
+uQ54yv2N34ftJoRdCEJ+RjqhH+Y76QDXgeUebu/0VusAc9QBAulAtQ7I8XbQi/kmxt0N9YvzgWgP7AfzmNCcDmAdbZQPnPRTPkA6UNEBGd8Pg9BvO5lPJVfS
+mrT1Xd3QNs08IWOkjN28pm+lDZ3PFzLaqpHaThkpTa+M65BL/oYfiP+jn+IYofU4lui/jTjmK8+D4x9gPzlh70+Iea+4fvwU+p0L++oZGiePoF9E2PEQvM+r
+IPTD4+dfjWP4fhvFscIAxTHSAfu8diPU3nmtwjoAf/sEf0+fcLvIKI4RWo9jkYHbnY/9CsF+ijLeDNA7qgcZt/DzuicyBMX8K2D+6Nn0tpb/nklu8lT6ofmg
+fVXPez27la9Tz/zVG9SLiHo+Xm/XrX+H5W9m81aS7+TvFK9xHtMoXkefU7wmvbPvp4bC0M+UJ7Vaj9q1n3og+j0ZdMff8ZfEX+KvPd88H4R+0/PzizOzc7El
+9WbyTRyvc2HYLuYxoTkdOHwh8qAhdzow9Yp0gHTAHscuhqCfrhnsJuMY1oGdF1AHMI8JzenAkTggczrsTgfib0gHSAfs+UBxuL3rT1gHChHYLuYxwUkHvDXX
+8fajcL2l4fmqdzAOEEgHLF6MIB3IGKk1s8xrelt0YO811IFjYZ+N0DuqBxn/8fOqrMf5rRW5jMbPxPYF+DqZ3OGTz9tX1hU/v6ZImzNCURTgJ0uv2b9So12/
+2WfpusfjUXiewdvxKpdvayvO/h3VWfMerPus3LM5Oibr12r989r9EQgEAoFAuE3I7wHIPPWiwReJZFYz/p6eHcxrcF4p9nE9CsonWU3ba+aPJc9geFK8iyk2
+1sPGroWDc77JRrlHAv1HO3/5edRex8Pn8BrN309jvKR1PJq/V+vP8QT0W1KXFmOs/fvSUTGzWYi54++ZSvwl/tr5m4tBv3bvRwUmGWgf85jQnA6MT3N7WXWn
+A+ezpAOkA/Z16B0V+rV7P6pvGraLeUxw0oHa58rDn7l9xdzpQOQr6QDpgD0fKMxCv9Qqa2s+EPqE9EXYiVl6R/Ug4z9+XpX9qC7r3LZm7OYy2bXy9zPx+W15
+jta2j7WW2rR44bCPJdcLKvU6eL2cZp0Tb7T/Zd83498hdaqnuFzfsO+z4XWOZvfREqNwhEgU7gQPbOPpC42NVvAbWEQcxg==
+"""
+
+ENZO_PARTICLES = """
+eNrr9HBx4+WS4mIAAQ4OBhYGAQZk8B8KCsRQ+TD5BCjNCKU7oPQKJpg4I1hOAiouCDUfXV1IkKsrSPV/NAB3CNRZHAyjYCQCD1fHABAdAeXD0tMJJlR17kWZ
+KQYQYIicLh3ItJeRgRViBiOMD7GZkREiwAJVB6OZgfIgGUEFe2hadWAw4WYw+c8MkWcFioLkmZiYGCHpGWIeMyMsaSuguaBjUMUDrvwcAQ2ACjbi8rOHIGr5
+MQpGZn7eAOUXQOkFwrROv/TKzwpDIj9DwAd7+qiDi0OLYw4HRmhUMCKV1aNgFIyCUTAKRsEooC0I9vN3AbXoYf1qAxbU/jx6u34U4AtHVoYAKD9ABL96WHgr
+MONXB2s9fiAQ/hZQeoIQfnWw/laC6OAMR/q1zx2GUPsc2D9KLCrJTM5JjS/IL84syczPi6/AIV6JQ7wKVTwjNTM9owTBL6ksSB1S4yUJQ2S8hNTwEAArFeCA
+iSkQCIcGaDgIoNk8YVCmYwAp6YJW
+"""
+
+FLASH_PARTICLES = """
+eNrr9HBx4+WS4mIAAQ4OBhYGAQZk8B8KHnCg8mHyCVCaEUp3QOkVTDBxRrCcBFRcEGo+urqQIFdXkOr/aABmjwELhJZgGAUjEXi4OgaA6AhYeoDSJ5hQ1RUk
+FpVkJuekKuQl5qYWMzCUFCUmpxYpwISLGdDSqwYBexkZ2CBqGWF8iA5GJogAC5p56HxmBg4wWxiadlmhfCYmiAEc0BTNzMjAgZqjIEAIKgxSvKqdO5uBoWJA
+4yHYz9+FkYEJ5lgGBWb86mH5tYJ1NA2jpitWotIVLpoZGLIglYIK9tC4cGAw4WYw+Q+ND9zpLAEadQ1oLqoYjZQRCDJSM9MzShQwQEF+cYWCAlbxShziVdjE
+UW37YI/dFejiGOoc8OvjcMDlPwCvfFXY
+"""
