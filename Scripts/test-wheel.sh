@@ -41,6 +41,12 @@ mkdir "$work/source"
 tar --extract --touch --strip-components 1 --directory "$work/source" --file "$work"/dist/*.tar.gz
 package --wheel -C build-dir="$work/build" "$work/source"
 
+# Library, wrappers, stubs and package, and nothing else.
+others=$("$python" -m zipfile --list "$work"/dist/*.whl | tail --lines +2 | cut --delimiter ' ' --fields 1 |
+  grep --invert-match --extended-regexp --regexp '^pointsurface/([a-z0-9_]+\.py|py\.typed|(lib)?vtkPointSurface[^/]*\.(so|pyi))$' \
+    --regexp '^pointsurface-[^/]+\.dist-info/' || true)
+[[ -z $others ]] || stop "the wheel holds what is not ours: $others"
+
 say "installing it into a fresh virtual environment"
 "$python" -m venv --clear "$work/venv"
 install venv pytest pytest-xdist imageio "laspy[lazrs]" pye57 tqdm "$vtk" "pyvista>=0.48" || skip "pip cannot get what the tests need"

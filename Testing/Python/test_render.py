@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The commands render and info as a user types them."""
 
+import argparse
 import json
 import os
 import re
@@ -19,6 +20,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
 import pointsurface as pointsurface_module
+from pointsurface import bench, convert, demo, info, render, view
 from pointsurface.methods import METHODS
 from pointsurface.passes import PASSES
 from pointsurface.readers import read
@@ -130,6 +132,19 @@ def test_scalars_and_view(half_sphere, tmp_path):
     bottom, top = image[20, 45], image[70, 45]  # row 0 is the lowest
     assert bottom[2] > bottom[0] + 30, "low is blue"
     assert top[0] > top[2] + 30, "high is red"
+
+
+def test_help():
+    """Of each command, with a word on every option; and what the exit codes mean."""
+    result = pointsurface("--help")
+    assert result.returncode == 0 and "Exit codes: 0 done" in result.stdout
+    for command in (bench, convert, demo, info, render, view):
+        name = command.__name__.split(".")[1]
+        assert re.search(rf"^    {name} +\w", result.stdout, re.M) and command.__doc__
+        parser = argparse.ArgumentParser()
+        command.add_arguments(parser)
+        assert [action.dest for action in parser._actions if not action.help] == []
+        parser.format_help()
 
 
 def test_info(half_sphere):
