@@ -486,7 +486,7 @@ void vtkDrawablePoints::EstimateRadii(vtkAlgorithm* caller)
 
 void vtkDrawablePoints::SelectSamplingDistance(const RadiusSource& source, vtkAlgorithm* caller)
 {
-  double distance = source.Radius;
+  double distance = source.Radius > 0.0 ? source.Radius : source.SamplingDistance;
   if (!(distance > 0.0))
   {
     caller->SetProgressText("Estimating the sampling distance");

@@ -37,18 +37,21 @@ public:
   /**
    * Where radii come from: the array named here, else `Radius` if over 0, else an array "radius",
    * else vtkPointSpacing. Where radii are not needed but a sampling distance is, that stands for
-   * all of them: `Radius` if over 0, else the one of this quantile (vtkSamplingDistance).
+   * all of them: `Radius` if over 0, else `SamplingDistance` if that is, of a cloud of which this
+   * is a part, else the one of this quantile (vtkSamplingDistance).
    */
   struct RadiusSource
   {
     std::string Array;
     double Radius = 0.0;
     double SamplingQuantile = -1.0;
+    double SamplingDistance = 0.0;
 
     bool operator==(const RadiusSource& other) const
     {
       return this->Array == other.Array && this->Radius == other.Radius &&
-        this->SamplingQuantile == other.SamplingQuantile;
+        this->SamplingQuantile == other.SamplingQuantile &&
+        this->SamplingDistance == other.SamplingDistance;
     }
   };
 

@@ -16,6 +16,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSamplingDistance.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedIntArray.h"
 
@@ -182,8 +183,9 @@ public:
     return regions;
   }
 
-  // What mappers are told of the whole: bounds, the mean and the largest radius.
-  static vtkSmartPointer<vtkDoubleArray> Join(const std::vector<Region>& regions)
+  // What mappers are told of the whole: bounds, the mean and the largest radius, sampling distance.
+  static vtkSmartPointer<vtkDoubleArray> Join(
+    const std::vector<Region>& regions, double samplingDistance)
   {
     Region joined;
     for (const Region& region : regions)
@@ -207,6 +209,7 @@ public:
     const double mean = joined.Values[Sum] / std::max(joined.Values[Count], 1.0);
     array->InsertNextValue(std::min(mean, limit));
     array->InsertNextValue(std::min(joined.Values[Largest], limit));
+    array->InsertNextValue(samplingDistance);
     return array;
   }
 
@@ -334,6 +337,61 @@ void ReceiveParts(
       parts[leaf].push_back(part);
     }
   }
+}
+
+// The points that count of a rank's own, and then the copies.
+class Neighborhood
+{
+public:
+  Neighborhood(const Pieces& pieces, const std::vector<vtkDrawablePoints>& drawable,
+    const std::vector<Pieces>& ghosts)
+  {
+    this->Points->SetDataTypeToDouble();
+    for (std::size_t leaf = 0; leaf < pieces.size(); ++leaf)
+    {
+      const std::vector<unsigned int>& ids = drawable[leaf].GetDrawnIds();
+      for (vtkIdType i = 0; i < drawable[leaf].GetNumberOfDrawnPoints(); ++i)
+      {
+        this->Points->InsertNextPoint(pieces[leaf]->GetPoint(ids.empty() ? i : ids[i]));
+      }
+    }
+    this->Own = this->Points->GetNumberOfPoints();
+    for (const Pieces& parts : ghosts)
+    {
+      for (vtkPolyData* part : parts)
+      {
+        const vtkIdType first = this->Points->GetNumberOfPoints();
+        this->Points->InsertPoints(first, part->GetNumberOfPoints(), 0, part->GetPoints());
+      }
+    }
+  }
+  vtkPoints* GetPoints() const { return this->Points; }
+  vtkIdType GetOwn() const { return this->Own; }
+
+private:
+  vtkNew<vtkPoints> Points;
+  vtkIdType Own = 0;
+};
+
+// That of all ranks' points, the same on all of them.
+double FindSamplingDistance(const Neighborhood& neighborhood, double quantile,
+  vtkMultiProcessController* controller, vtkAlgorithm* caller)
+{
+  vtkNew<vtkDoubleArray> own;
+  for (const vtkNeighborDistance& asked :
+    vtkSampleNeighborDistances(neighborhood.GetPoints(), neighborhood.GetOwn(), quantile, caller))
+  {
+    own->InsertNextValue(asked.Lot);
+    own->InsertNextValue(asked.Distance);
+  }
+  vtkNew<vtkDoubleArray> all;
+  controller->AllGatherV(own, all);
+  std::vector<vtkNeighborDistance> distances;
+  for (vtkIdType i = 0; i < all->GetNumberOfValues(); i += 2)
+  {
+    distances.push_back({ all->GetValue(i), all->GetValue(i + 1) });
+  }
+  return vtkSamplingDistance(distances, quantile);
 }
 
 Piece Append(vtkPolyData* own, const Pieces& parts)
@@ -481,7 +539,15 @@ int vtkGhostPointsGenerator::RequestData(
   }
   this->UpdateProgress(0.8);
 
-  const vtkSmartPointer<vtkDoubleArray> whole = Region::Join(regions);
+  double samplingDistance = 0.0;
+  if (this->SamplingQuantile >= 0.0 && this->Radius <= 0.0)
+  {
+    this->SetProgressShiftScale(0.8, 0.2);
+    samplingDistance = FindSamplingDistance(
+      { pieces, drawable, ghosts }, this->SamplingQuantile, this->Controller, this);
+    this->SetProgressShiftScale(0.0, 1.0);
+  }
+  const vtkSmartPointer<vtkDoubleArray> whole = Region::Join(regions, samplingDistance);
   for (std::size_t leaf = 0; leaf < leaves; ++leaf)
   {
     for (vtkPolyData* part : ghosts[leaf])
@@ -510,5 +576,6 @@ void vtkGhostPointsGenerator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RadiusArray: " << (this->RadiusArray.empty() ? "(none)" : this->RadiusArray)
      << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "SamplingQuantile: " << this->SamplingQuantile << "\n";
   os << indent << "NumberOfGhostPoints: " << this->NumberOfGhostPoints << "\n";
 }

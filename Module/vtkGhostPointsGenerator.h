@@ -17,9 +17,10 @@
  * that a point is of, for selections). A rank without points gets none. With one process the output
  * is the input.
  *
- * Field data `vtkWholeCloud` (8 doubles) tell the mappers the bounds of all ranks' points, and the
- * mean and the largest radius: by these they choose how fine an image is, how deep a pyramid. Give
- * the mappers the radii that this filter has.
+ * Field data `vtkWholeCloud` (9 doubles) tell the mappers the bounds of all ranks' points, the mean
+ * and the largest radius, and the sampling distance: by these they choose how fine an image is, how
+ * deep a pyramid. Give the mappers the radii that this filter has, and vtkDirectPointMapper the
+ * same quantile.
  *
  * Radii are those that the mappers take, by the same rules: RadiusArray, else Radius, else an array
  * `radius`, else those of vtkPointSpacing, which takes some time. Point arrays that do not have a
@@ -89,6 +90,17 @@ public:
   vtkGetMacro(Radius, double);
   ///@}
 
+  ///@{
+  /**
+   * Which quantile of the distances between neighbours is the sampling distance, which
+   * vtkDirectPointMapper draws by; see there. All ranks ask the points that one process would, so
+   * that it is the same. Below 0: it is not estimated, which saves some time where no such mapper
+   * draws, nor is it where Radius is set. Default: 0.98.
+   */
+  vtkSetClampMacro(SamplingQuantile, double, -1.0, 1.0);
+  vtkGetMacro(SamplingQuantile, double);
+  ///@}
+
   /**
    * How many points this rank got when the filter last ran.
    */
@@ -111,6 +123,7 @@ private:
   double Reach = 8.0;
   std::string RadiusArray;
   double Radius = 0.0;
+  double SamplingQuantile = 0.98;
   vtkIdType NumberOfGhostPoints = 0;
 };
 

@@ -8,37 +8,86 @@
 #include "vtkPolyData.h"
 #include "vtkProgressFor.h"
 #include "vtkSMPThreadLocalObject.h"
+#include "vtkSmartPointer.h"
 #include "vtkStaticPointLocator.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace
 {
 /// Points that are asked for their neighbour where a quantile other than the least is wanted: the
 /// rank of a quantile of 0.98 is then known to 0.0014.
-constexpr vtkIdType SampleSize = 10000;
+constexpr std::size_t SampleSize = 10000;
 
 /// A point with more twins than this has no neighbour: what is there is no sampled surface.
 constexpr vtkIdType MaximumTwins = 1024;
 
-vtkNew<vtkPolyData> Gather(vtkPoints* points, const std::vector<unsigned int>& ids)
+/// A number from 0 to 1 that looks random, and is the same for the same position (the mixing of
+/// SplitMix64).
+double GetLot(const double x[3])
 {
-  vtkNew<vtkPolyData> cloud;
+  std::uint64_t bits = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double value = x[k] + 0.0; // -0 is 0
+    std::uint64_t own;
+    std::memcpy(&own, &value, sizeof(own));
+    bits = (bits ^ own) + 0x9e3779b97f4a7c15u;
+    bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
+    bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebu;
+    bits ^= bits >> 31;
+  }
+  return static_cast<double>(bits >> 11) * 0x1p-53;
+}
+
+struct Candidate
+{
+  double Lot;
+  vtkIdType Id;
+  bool operator<(const Candidate& other) const { return this->Lot < other.Lot; }
+};
+
+/// Of the first `count` points those of the lowest lots, `size` of them.
+std::vector<Candidate> ChooseSample(vtkPoints* points, vtkIdType count, std::size_t size)
+{
+  std::vector<Candidate> sample; // a heap, the highest lot first
+  for (vtkIdType id = 0; id < count; ++id)
+  {
+    double x[3];
+    points->GetPoint(id, x);
+    const Candidate candidate = { GetLot(x), id };
+    if (sample.size() == size)
+    {
+      if (!(candidate < sample.front()))
+      {
+        continue;
+      }
+      std::pop_heap(sample.begin(), sample.end());
+      sample.pop_back();
+    }
+    sample.push_back(candidate);
+    std::push_heap(sample.begin(), sample.end());
+  }
+  return sample;
+}
+
+vtkSmartPointer<vtkPoints> Gather(vtkPoints* points, const std::vector<unsigned int>& ids)
+{
   if (ids.empty())
   {
-    cloud->SetPoints(points);
-    return cloud;
+    return points;
   }
-  vtkNew<vtkPoints> listed;
+  auto listed = vtkSmartPointer<vtkPoints>::New();
   listed->SetDataType(points->GetDataType());
   listed->SetNumberOfPoints(static_cast<vtkIdType>(ids.size()));
   for (vtkIdType i = 0; i < listed->GetNumberOfPoints(); ++i)
   {
     listed->SetPoint(i, points->GetPoint(ids[i]));
   }
-  cloud->SetPoints(listed);
-  return cloud;
+  return listed;
 }
 
 /// The distance to the nearest point at another position; 0 if there is none to be found.
@@ -70,16 +119,29 @@ double NearestNeighbor(vtkStaticPointLocator* locator, vtkIdType id, vtkIdList* 
     }
   }
 }
+
+bool IsNearer(const vtkNeighborDistance& a, const vtkNeighborDistance& b)
+{
+  return a.Distance < b.Distance;
 }
 
-double vtkSamplingDistance(
-  vtkPoints* points, const std::vector<unsigned int>& ids, double quantile, vtkAlgorithm* caller)
+/// Points without a neighbour say nothing.
+void RemoveLone(std::vector<vtkNeighborDistance>& distances)
 {
-  const vtkNew<vtkPolyData> cloud = Gather(points, ids);
-  const vtkIdType count = cloud->GetNumberOfPoints();
-  if (count < 2 || cloud->GetLength() == 0.0)
+  distances.erase(std::remove_if(distances.begin(), distances.end(),
+                    [](const auto& asked) { return asked.Distance == 0.0; }),
+    distances.end());
+}
+}
+
+std::vector<vtkNeighborDistance> vtkSampleNeighborDistances(
+  vtkPoints* points, vtkIdType own, double quantile, vtkAlgorithm* caller)
+{
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  if (own == 0 || cloud->GetNumberOfPoints() < 2 || cloud->GetLength() == 0.0)
   {
-    return 0.0;
+    return {};
   }
   caller->UpdateProgress(0.05);
   vtkNew<vtkStaticPointLocator> locator;
@@ -87,27 +149,53 @@ double vtkSamplingDistance(
   locator->BuildLocator();
   caller->UpdateProgress(0.3);
 
-  const vtkIdType asked = quantile > 0.0 ? std::min(count, SampleSize) : count;
-  std::vector<double> distances(asked);
+  const std::vector<Candidate> asked =
+    ChooseSample(points, own, quantile > 0.0 ? SampleSize : static_cast<std::size_t>(own));
+  std::vector<vtkNeighborDistance> distances(asked.size());
   vtkSMPThreadLocalObject<vtkIdList> found;
   const vtkIdType batch = (vtkIdType(1) << 15) * vtkSMPTools::GetEstimatedNumberOfThreads();
-  if (!vtkProgressFor(caller, asked, batch, 0.3, 1.0,
+  if (!vtkProgressFor(caller, static_cast<vtkIdType>(asked.size()), batch, 0.3, 1.0,
         [&](vtkIdType begin, vtkIdType end)
         {
           for (vtkIdType i = begin; i < end; ++i)
           {
-            distances[i] = NearestNeighbor(locator, i * count / asked, found.Local());
+            distances[i] = { asked[i].Lot, NearestNeighbor(locator, asked[i].Id, found.Local()) };
           }
         }))
   {
-    return 0.0;
+    return {};
   }
-  distances.erase(std::remove(distances.begin(), distances.end(), 0.0), distances.end());
+  if (quantile > 0.0)
+  {
+    return distances;
+  }
+  RemoveLone(distances);
+  const auto least = std::min_element(distances.begin(), distances.end(), IsNearer);
+  return least == distances.end() ? distances : std::vector<vtkNeighborDistance>{ *least };
+}
+
+double vtkSamplingDistance(std::vector<vtkNeighborDistance> distances, double quantile)
+{
+  if (distances.size() > SampleSize)
+  {
+    std::nth_element(distances.begin(), distances.begin() + SampleSize, distances.end(),
+      [](const auto& a, const auto& b) { return a.Lot < b.Lot; });
+    distances.resize(SampleSize);
+  }
+  RemoveLone(distances);
   if (distances.empty())
   {
     return 0.0;
   }
   const auto rank = static_cast<std::ptrdiff_t>(quantile * (distances.size() - 1) + 0.5);
-  std::nth_element(distances.begin(), distances.begin() + rank, distances.end());
-  return distances[rank];
+  std::nth_element(distances.begin(), distances.begin() + rank, distances.end(), IsNearer);
+  return distances[rank].Distance;
+}
+
+double vtkSamplingDistance(
+  vtkPoints* points, const std::vector<unsigned int>& ids, double quantile, vtkAlgorithm* caller)
+{
+  const vtkSmartPointer<vtkPoints> counted = Gather(points, ids);
+  return vtkSamplingDistance(
+    vtkSampleNeighborDistances(counted, counted->GetNumberOfPoints(), quantile, caller), quantile);
 }

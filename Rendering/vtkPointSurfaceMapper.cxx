@@ -345,6 +345,22 @@ void vtkPointSurfaceMapper::ChooseBackend()
   }
 }
 
+namespace
+{
+/// What vtkGhostPointsGenerator tells of the cloud as a whole, of which this is a part: bounds,
+/// mean and largest radius, sampling distance; nullptr where the cloud is whole.
+vtkDoubleArray* GetWhole(const vtkPointBlocks& blocks)
+{
+  if (blocks.GetBlocks().empty())
+  {
+    return nullptr;
+  }
+  auto* whole = vtkDoubleArray::SafeDownCast(
+    blocks.GetBlocks()[0].Data->GetFieldData()->GetArray("vtkWholeCloud"));
+  return whole && whole->GetNumberOfValues() == 9 ? whole : nullptr;
+}
+}
+
 void vtkPointSurfaceMapper::UpdateDrawablePoints()
 {
   vtkPolyData* input = this->GetBlocks().GetCloud();
@@ -352,6 +368,8 @@ void vtkPointSurfaceMapper::UpdateDrawablePoints()
   source.Array = this->RadiusArray ? this->RadiusArray : "";
   source.Radius = this->Radius;
   source.SamplingQuantile = this->GetNeededSamplingQuantile();
+  vtkDoubleArray* whole = GetWhole(this->GetBlocks());
+  source.SamplingDistance = whole ? whole->GetValue(8) : 0.0;
   if (this->Internals->IsUpToDate(input, source))
   {
     return;
@@ -742,19 +760,6 @@ std::array<double, 6> GetBoundsOf(const vtkPointBlockGroup& blocks, const double
     bounds[i] = i % 2 == 0 ? std::max(bounds[i], limits[i]) : std::min(bounds[i], limits[i]);
   }
   return bounds;
-}
-
-/// What vtkGhostPointsGenerator tells of the cloud as a whole, of which this is a part: bounds,
-/// mean and largest radius; nullptr where the cloud is whole.
-vtkDoubleArray* GetWhole(const vtkPointBlocks& blocks)
-{
-  if (blocks.GetBlocks().empty())
-  {
-    return nullptr;
-  }
-  auto* whole = vtkDoubleArray::SafeDownCast(
-    blocks.GetBlocks()[0].Data->GetFieldData()->GetArray("vtkWholeCloud"));
-  return whole && whole->GetNumberOfValues() == 8 ? whole : nullptr;
 }
 
 /// Whether what is drawn to now has several samples a pixel: the window itself, but few passes.
@@ -1369,6 +1374,7 @@ void vtkPointSurfaceMapper::SetMapperShaderParameters(
     this->Internals->Duplicates.SetSampler(program, "psDuplicates");
     // more than depths err where the surface of the copies ends, which others have whole
     program->SetUniformf("psRecess", static_cast<float>(10.0 * view.LargestRadius));
+    program->SetUniformi("psLeavesDuplicates", actor->IsRenderingTranslucentPolygonalGeometry());
   }
   program->SetUniformi("psHasCoverage", this->Internals->Current->HasCoverage);
   const auto pixels = view.GetPixelRectangle();

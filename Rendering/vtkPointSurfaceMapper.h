@@ -33,7 +33,7 @@
  * Copies of another process' points (DUPLICATEPOINT, as vtkGhostPointsGenerator makes them) take
  * part in the surface, but the pixels that come from them lie behind those of the process that has
  * the points: where pictures are put together by depth, each pixel is that of a process that knows
- * all around it.
+ * all around it. Translucent surfaces, which are blended, are drawn without these pixels.
  *
  * @sa vtkPullPushMapper vtkSurfaceSplatMapper vtkPointSpacing vtkPointNormals vtkIsosurfacePoints
  */

@@ -92,8 +92,27 @@ void CheckLength(
   }
 }
 
+// Digits with at most a minus and a point: most numbers, and always one; to see that much takes a
+// fraction of the time of its value.
+bool IsPlain(const char* begin, const char* end)
+{
+  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+  const char* first = begin + (*begin == '-' ? 1 : 0);
+  const char* point = std::find_if_not(first, end, isDigit);
+  if (point == end)
+  {
+    return point != first;
+  }
+  const char* last = std::find_if_not(point + 1, end, isDigit);
+  return *point == '.' && last == end && end - first > 1;
+}
+
 bool IsFloat(const char* begin, const char* end)
 {
+  if (IsPlain(begin, end))
+  {
+    return true;
+  }
   double value;
   const std::from_chars_result result = std::from_chars(begin, end, value);
   // too small or large a number is rounded to 0 or infinity

@@ -18,6 +18,7 @@ vec4 psVertexVC;
 #ifdef HAS_DUPLICATES
 uniform samplerBuffer psDuplicates; // see vtkDuplicatePoints
 uniform float psRecess;             // how far behind its place a pixel of theirs is drawn
+uniform bool psLeavesDuplicates;    // draw none of these pixels
 #endif
 
 // Whether a normal that points a little away from the viewer leans to where the surface ends or

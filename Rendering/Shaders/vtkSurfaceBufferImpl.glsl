@@ -28,6 +28,10 @@
     vec4 psBehind = psVCDC * (psEye - vec4(0.0, 0.0, psRecess, 0.0));
     // before the far plane still
     psFragCoordZ = min(0.5 * psBehind.z / psBehind.w + 0.5, max(psFragCoordZ, 0.999999));
+    if (psLeavesDuplicates)
+    {
+      psPoint = -1; // a translucent surface would be blended twice
+    }
   }
 #endif
   vec3 psToViewer = psVCDC[2][3] == 0.0 ? vec3(0.0, 0.0, 1.0) : -normalize(psEye.xyz);

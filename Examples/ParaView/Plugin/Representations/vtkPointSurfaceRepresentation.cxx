@@ -57,6 +57,33 @@ bool Change(T& value, const T& to)
 }
 }
 
+void vtkPointSurfaceRepresentation::SetSystem(int system)
+{
+  const bool wasDirect = this->System == DIRECT;
+  if (!Change(this->System, std::min<int>(std::max<int>(system, AUTOMATIC), SURFACE_SPLATS)))
+  {
+    return;
+  }
+  this->Modified();
+  if (wasDirect != (this->System == DIRECT))
+  {
+    this->MarkModified(); // ranks tell each other what Direct alone needs
+  }
+}
+
+void vtkPointSurfaceRepresentation::SetPublished(bool published)
+{
+  if (!Change(this->Published, published))
+  {
+    return;
+  }
+  this->Modified();
+  if (this->System == DIRECT)
+  {
+    this->MarkModified();
+  }
+}
+
 void vtkPointSurfaceRepresentation::SetRadiusArray(const std::string& array)
 {
   if (Change(this->RadiusArray, array))
@@ -93,6 +120,9 @@ int vtkPointSurfaceRepresentation::RequestData(
   this->Ghosts->SetRadiusArray(this->HasRadiusArray() ? this->RadiusArray : "");
   this->Ghosts->SetRadius(this->Radius);
   this->Ghosts->SetReach(usual->GetReach() * this->RadiusScale);
+  this->Ghosts->SetSamplingQuantile(this->System != DIRECT ? -1.0
+      : this->Published                                    ? 0.0
+                                                           : usual->GetSamplingQuantile());
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);
   vtkVLogF(PARAVIEW_LOG_RENDERING_VERBOSITY(),
     "%s: %lld points, %lld of them copies of other ranks'", this->GetLogName().c_str(),
@@ -176,23 +206,6 @@ vtkSmartPointer<vtkPolyData> Thin(vtkPolyData* points, int level)
   return mask->GetOutput();
 }
 
-/// Radii that are estimated of fewer points grow by themselves; what vtkGhostPointsGenerator has
-/// told of them has to follow.
-void GrowWhole(vtkPolyData* points, double growth)
-{
-  vtkDataArray* told = points->GetFieldData()->GetArray("vtkWholeCloud");
-  if (told)
-  {
-    vtkNew<vtkDoubleArray> whole;
-    whole->DeepCopy(told);
-    for (const vtkIdType radius : { 6, 7 }) // mean and largest
-    {
-      whole->SetValue(radius, growth * whole->GetValue(radius));
-    }
-    points->GetFieldData()->AddArray(whole);
-  }
-}
-
 double GetGrowth(int level)
 {
   return std::sqrt(static_cast<double>(1 << level));
@@ -204,6 +217,25 @@ double GetGivenGrowth(int level)
 {
   constexpr double Gaps = 1.15;
   return level > 0 ? Gaps * GetGrowth(level) : 1.0;
+}
+
+/// Radii that are estimated of fewer points grow by themselves; what vtkGhostPointsGenerator has
+/// told of them, and of the sampling distance, has to follow. The largest radius is that of the
+/// largest gap, which chance makes up to 1.45 times as large among even points.
+void GrowWhole(vtkPolyData* points, int level)
+{
+  constexpr double LargestGap = 1.5;
+  vtkDataArray* told = points->GetFieldData()->GetArray("vtkWholeCloud");
+  if (!told || level == 0)
+  {
+    return;
+  }
+  vtkNew<vtkDoubleArray> whole;
+  whole->DeepCopy(told);
+  whole->SetValue(6, GetGrowth(level) * whole->GetValue(6)); // mean
+  whole->SetValue(7, LargestGap * GetGrowth(level) * whole->GetValue(7));
+  whole->SetValue(8, GetGivenGrowth(level) * whole->GetValue(8)); // sampling distance
+  points->GetFieldData()->AddArray(whole);
 }
 
 bool HasArray(vtkDataObject* data, const char* name)
@@ -219,9 +251,10 @@ bool HasArray(vtkDataObject* data, const char* name)
 }
 }
 
-bool vtkPointSurfaceRepresentation::HasRadii(vtkDataObject* data) const
+bool vtkPointSurfaceRepresentation::HasRadii(vtkDataObject* data, int system) const
 {
-  return this->HasRadiusArray() || this->Radius > 0.0 || HasArray(data, "radius");
+  const bool usesArrays = system != DIRECT;
+  return this->Radius > 0.0 || (usesArrays && (this->HasRadiusArray() || HasArray(data, "radius")));
 }
 
 void vtkPointSurfaceRepresentation::UpdateLOD(vtkInformation* inInfo)
@@ -233,7 +266,8 @@ void vtkPointSurfaceRepresentation::UpdateLOD(vtkInformation* inInfo)
   }
   auto thinned = vtkSmartPointer<vtkDataObjectTree>::Take(data->NewInstance());
   thinned->CopyStructure(data);
-  const bool thins = this->ChooseSystem(data) != ALGEBRAIC_SPLATS;
+  const int system = this->ChooseSystem(data);
+  const bool thins = system != ALGEBRAIC_SPLATS;
   const int level = GetLevel(inInfo);
   auto leaf = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(data->NewTreeIterator());
   for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
@@ -246,9 +280,9 @@ void vtkPointSurfaceRepresentation::UpdateLOD(vtkInformation* inInfo)
       continue;
     }
     const vtkSmartPointer<vtkPolyData> fewer = Thin(points, level);
-    if (!this->HasRadii(data))
+    if (!this->HasRadii(data, system))
     {
-      GrowWhole(fewer, GetGrowth(level));
+      GrowWhole(fewer, level);
     }
     thinned->SetDataSetFrom(leaf, fewer);
   }
@@ -272,7 +306,7 @@ int vtkPointSurfaceRepresentation::ProcessViewRequest(
   {
     data = vtkPVView::GetDeliveredPiece(inInfo, this);
     const int system = this->ChooseSystem(data);
-    const bool grows = system != ALGEBRAIC_SPLATS && this->HasRadii(data);
+    const bool grows = system != ALGEBRAIC_SPLATS && this->HasRadii(data, system);
     this->UpdateMappers(system, grows ? GetGivenGrowth(GetLevel(inInfo)) : 1.0);
   }
   // The superclass tells the blocks' attributes only to mappers of VTK's own, and then takes them

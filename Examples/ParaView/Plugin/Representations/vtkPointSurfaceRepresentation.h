@@ -56,7 +56,7 @@ public:
   /**
    * The system that draws; see SystemType. Default AUTOMATIC.
    */
-  vtkSetClampMacro(System, int, AUTOMATIC, SURFACE_SPLATS);
+  void SetSystem(int system);
   vtkGetMacro(System, int);
   ///@}
 
@@ -64,7 +64,7 @@ public:
   /**
    * Draw as the system's paper says, with all departures from it turned off. Default off.
    */
-  vtkSetMacro(Published, bool);
+  void SetPublished(bool published);
   vtkGetMacro(Published, bool);
   ///@}
 
@@ -126,7 +126,7 @@ private:
   void SetUpMapper(vtkMapper* mapper, double growth) const;
   void UpdateLOD(vtkInformation* inInfo);
   bool HasRadiusArray() const;
-  bool HasRadii(vtkDataObject* data) const; // else they are estimated
+  bool HasRadii(vtkDataObject* data, int system) const; // else they are estimated
 
   vtkNew<vtkGhostPointsGenerator> Ghosts;
   vtkNew<vtkCompositeDataDisplayAttributes> BlockAttributes;
