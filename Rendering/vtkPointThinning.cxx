@@ -5,9 +5,8 @@
 
 #include <algorithm>
 
-int vtkPointThinning::GetLevel(const vtkPointSurfaceView& view)
+int vtkPointThinning::GetLevel(const vtkPointSurfaceView& view, double largestRadius)
 {
-  constexpr double LargestRadius = 1.6;
   const auto& m = view.VCDC;
   const double nearestW = m[15] - m[11] * view.DepthRange[0];
   if (nearestW <= 0.0)
@@ -18,7 +17,7 @@ int vtkPointThinning::GetLevel(const vtkPointSurfaceView& view)
   double radius = std::max(view.TypicalRadius, 0.5 * nearest);
   const int largest = GetLargestLevel(view.GetNumberOfPoints());
   int level = 0;
-  while (level < largest && radius * std::sqrt(2.0) <= LargestRadius)
+  while (level < largest && radius * std::sqrt(2.0) <= largestRadius)
   {
     radius *= std::sqrt(2.0);
     ++level;

@@ -20,9 +20,9 @@ struct vtkPointSurfaceView;
 
 namespace vtkPointThinning
 {
-/// The level at which projected radii have 1.6 pixels at most, amid the cloud; the nearest ones may
-/// have twice as many. 0 if they have more as it is, or some of the cloud is beside the eye.
-int GetLevel(const vtkPointSurfaceView& view);
+/// The level at which projected radii have so many pixels at most, amid the cloud; the nearest ones
+/// may have twice as many. 0 if they have more as it is, or some of the cloud is beside the eye.
+int GetLevel(const vtkPointSurfaceView& view, double largestRadius);
 
 /// The level of which so many points have 1000 groups at least, so that it does not matter if the
 /// last ones are left out.

@@ -85,9 +85,11 @@ vtkPointProjectionOptions vtkPullPushMapper::GetProjectionOptions(
   {
     // where densities vary, the sparse parts stay whole; and little is saved of small clouds
     constexpr vtkIdType Fewest = 20000;
+    // A pixel shows its own points alone: it flickers where these are few.
+    constexpr double LargestRadius = 1.2;
     vtkPointSurfaceView sparse = view;
     sparse.GrowRadii(view.LargestRadius / view.MeanRadius);
-    options.Thinning = vtkPointThinning::GetLevel(sparse);
+    options.Thinning = vtkPointThinning::GetLevel(sparse, LargestRadius);
     while (options.Thinning > 0 && view.GetNumberOfPoints() >> options.Thinning < Fewest)
     {
       --options.Thinning;

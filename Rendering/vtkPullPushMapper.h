@@ -65,8 +65,8 @@ public:
 
   ///@{
   /**
-   * Weight by (1 - e)^2 in the push phase, e being the square of the distance from a disc's centre,
-   * 1 at its edge; the paper (section 3.3) has the weights 9, 3, 3, 1. Default on.
+   * Weight by (1 - e) (1 + b) in the push phase, e being the square of the distance from a disc's
+   * centre, 1 at its edge, b the paper's weights (section 3.3): 9, 3, 3, 1 of 16. Default on.
    */
   vtkSetMacro(DistanceWeights, bool);
   vtkGetMacro(DistanceWeights, bool);
@@ -123,7 +123,7 @@ public:
   /**
    * Where projected radii are so small that pixels cannot tell the points apart, draw one of 2,
    * 4, 8, ... points that follow each other, chosen at random, with a radius that is larger to
-   * match: up to 1.6 pixels; in the paper all points are drawn. A part of a cloud
+   * match: up to 1.2 pixels; in the paper all points are drawn. A part of a cloud
    * (vtkGhostPointsGenerator) is not thinned: other processes would choose other points. Default
    * on.
    */

@@ -431,11 +431,11 @@ VTK_POINT_SURFACE_INLINE void PushPixels(const Pixels<PairSize>& fine,
       const float limit = (isBack & !FacesAway(p[k], ray)) ? u.BackLimit : 1.0f;
       const float kept = Clips ? IsKept(u, ray, origin, hit.Depth) : 1.0f;
       const bool covers = (kept * p[k].Radius > 0.0f) & (distance <= limit);
-      const float remains = Largest(1.0f - distance, 0.0f);
+      const float remains = Largest(1.0f - distance, 1e-6f);
       // biquadratic B-spline subdivision: 9, 3, 3, 1 of 16
       const float constant = (k & 1 ? 0.25f : 0.75f) * (k >> 1 ? 0.25f : 0.75f);
       const float chosen =
-        u.DistanceWeight * Largest(remains * remains, 1e-6f) + u.ConstantWeight * constant;
+        u.DistanceWeight * remains * (1.0f + constant) + u.ConstantWeight * constant;
       weight[k] = covers ? chosen : 0.0f;
       const bool isFront = covers & (range[k].Nearest < front);
       // an interval is one radius long; a slanted surface runs through two from pixel to pixel

@@ -12,7 +12,8 @@ vtkSurfaceSplatParameters::vtkSurfaceSplatParameters(
 {
   if (options.ThinPoints)
   {
-    this->Thinning = vtkPointThinning::GetLevel(view);
+    constexpr double LargestRadius = 1.6;
+    this->Thinning = vtkPointThinning::GetLevel(view, LargestRadius);
   }
 }
 

@@ -148,9 +148,8 @@ void main()
         !(clips && isClipped(fineCenter, depth)))
       {
         // biquadratic B-spline subdivision: 9, 3, 3, 1 of 16
-        weights[i] = distanceWeights
-          ? max(max(1.0 - distance, 0.0) * max(1.0 - distance, 0.0), 1e-6)
-          : (isNeighbor.x == 0 ? 0.75 : 0.25) * (isNeighbor.y == 0 ? 0.75 : 0.25);
+        float constant = (isNeighbor.x == 0 ? 0.75 : 0.25) * (isNeighbor.y == 0 ? 0.75 : 0.25);
+        weights[i] = distanceWeights ? max(1.0 - distance, 1e-6) * (1.0 + constant) : constant;
         vec2 range = getDepthRange(shapes[i], intervals[i]);
         if (depthTest && range.x < front)
         {
