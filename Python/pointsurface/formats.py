@@ -63,6 +63,7 @@ FORMATS = {
     # volumes
     "cube": Format("vtkIOChemistry", "vtkGaussianCubeReader2", port=1),
     "dcm": Format("vtkIOImage", "vtkDICOMImageReader", takes_path="SetDirectoryName"),
+    "h": Format("vtkIOImage", "vtkSEPReader"),
     "h5rage": Format("vtkIOH5Rage", "vtkH5RageReader"),
     "mha": _META,
     "mhd": _META,
@@ -99,6 +100,7 @@ FORMATS = {
     "gltf": _GLTF,
     "gml": Format("vtkIOCityGML", "vtkCityGMLReader"),
     "h5part": Format("vtkIOH5part", "vtkH5PartReader"),
+    "json": Format("vtkIOCesium3DTiles", "vtkCesium3DTilesReader"),
     "obj": Format("vtkIOGeometry", "vtkOBJReader", is_tried=False),
     "off": Format("vtkIOGeometry", "vtkOFFReader"),
     "omf": Format("vtkIOOMF", "vtkOMFReader"),
@@ -135,6 +137,7 @@ FORMATS = {
     "segy": _SEGY,
     "sgy": _SEGY,
     "smv": Format("vtkIOFDS", "vtkFDSReader"),
+    "sos": Format("vtkIOEnSight", "vtkEnSightSOSGoldReader", takes_path="SetCaseFileName"),
     "tec": _TECPLOT,
     "tp": _TECPLOT,
     "vrt": Format("vtkIOGeometry", "vtkProStarReader"),
@@ -149,12 +152,20 @@ FORMATS = {
     "vtpd": Format("vtkIOXML", "vtkXMLPartitionedDataSetReader"),
 }
 
-# What files with particles and nothing else are read with, whose extension is that of volumes of levels.
-PARTICLES = {
-    "amrex": Format("vtkIOAMR", "vtkAMReXParticlesReader", takes_path="SetPlotFileName"),
-    "flash": Format("vtkIOAMR", "vtkAMRFlashParticlesReader"),
-    "hierarchy": Format("vtkIOAMR", "vtkAMREnzoParticlesReader"),
+# What has the extension of another format, and is told by its content.
+BY_CONTENT = {
+    "amrex": {"particles": Format("vtkIOAMR", "vtkAMReXParticlesReader", takes_path="SetPlotFileName")},
+    "flash": {"particles": Format("vtkIOAMR", "vtkAMRFlashParticlesReader")},
+    "hierarchy": {"particles": Format("vtkIOAMR", "vtkAMREnzoParticlesReader")},
+    "nc": {
+        "SLAC": Format("vtkIONetCDF", "vtkSLACReader", takes_path="SetMeshFileName"),
+        "SLAC particles": Format("vtkIONetCDF", "vtkSLACParticleReader"),
+        "UGRID": Format("vtkIONetCDF", "vtkNetCDFUGRIDReader"),
+    },
+    "obj": {"MNI": Format("vtkIOMINC", "vtkMNIObjectReader")},
+    "xyz": {"molecule": Format("vtkIOChemistry", "vtkXYZMolReader2")},
 }
+BY_CONTENT["ncdf"] = BY_CONTENT["nc"]
 
 
 # VTK's other readers and importers, and why they have no row.
@@ -175,9 +186,10 @@ NOT_READ = {
         vtkXMLStructuredGridReader vtkXMLUnstructuredGridReader""",
     "the same files as a reader of the table, by several processes or in another way": """
         vtkCGNSFileSeriesReader vtkCONVERGECFDCGNSReader vtkCPExodusIIInSituReader vtkEnSightGoldCombinedReader
-        vtkGaussianCubeReader vtkGLTFImporter vtkIOSSReader vtkMPIImageReader vtkMPIMultiBlockPLOT3DReader vtkOBJImporter
-        vtkOMETIFFReader vtkPChacoReader vtkPExodusIIReader vtkPLSDynaReader vtkPNetCDFPOPReader vtkPNrrdReader
-        vtkPOpenFOAMReader vtkPSLACReader vtkPWindBladeReader vtkRTXMLPolyDataReader""",
+        vtkEnSightMasterServerReader vtkGaussianCubeReader vtkGLTFImporter vtkIOSSReader vtkMPIImageReader
+        vtkMPIMultiBlockPLOT3DReader vtkOBJImporter vtkOMETIFFReader vtkPChacoReader vtkPExodusIIReader vtkPLSDynaReader
+        vtkPNetCDFPOPReader vtkPNrrdReader vtkPOpenFOAMReader vtkPSLACReader vtkPWindBladeReader vtkRTXMLPolyDataReader
+        vtkXYZMolReader""",
     "the module readers reads such text itself": "vtkPTSReader vtkParticleReader vtkSimplePointsReader",
     "tables, graphs, trees, transforms or models: neither points of a surface nor a volume": """
         vtkArrayDataReader vtkArrayReader vtkBiomTableReader vtkChacoGraphReader vtkChacoReader vtkDelimitedTextReader
@@ -189,11 +201,9 @@ NOT_READ = {
         vtkCellGridReader vtkCompositeCellGridReader vtkIOSSCellGridReader vtkLegacyCellGridReader""",
     "flat pictures": "vtkBMPReader vtkDEMReader vtkHDRReader vtkJPEGReader vtkPNGReader vtkPNMReader vtkTGAReader",
     "bytes whose sizes no header tells": "vtkImageReader vtkImageReader2 vtkVolume16Reader",
-    "has the extension of a reader of the table, or none of its own": """
-        vtkCesium3DTilesReader vtkCONVERGECFDReader vtkEnSightMasterServerReader vtkEnSightSOSGoldReader vtkFLUENTCFFReader vtkGESignaReader
-        vtkMFIXReader vtkMNIObjectReader vtkMPASReader vtkNetCDFCAMReader vtkNetCDFPOPReader vtkNetCDFUGRIDReader
-        vtkSEPReader vtkSLACParticleReader vtkSLACReader vtkTRUCHASReader vtkVASPAnimationReader vtkVASPTessellationReader
-        vtkVeraOutReader vtkXYZMolReader vtkXYZMolReader2""",
+    "what only one program writes, with no small file of it to be had": """
+        vtkCONVERGECFDReader vtkFLUENTCFFReader vtkGESignaReader vtkMFIXReader vtkMPASReader vtkNetCDFCAMReader
+        vtkNetCDFPOPReader vtkTRUCHASReader vtkVASPAnimationReader vtkVASPTessellationReader vtkVeraOutReader""",
 }
 
 
@@ -276,10 +286,14 @@ def make_reader(form, path):
         reader.Update()  # it knows of no arrays before
         for i in range(reader.GetNumberOfParticleArrays()):
             reader.SetParticleArrayStatus(reader.GetParticleArrayName(i), 1)
+    elif form.reader == "vtkSLACReader":
+        reader.ReadMidpointsOff()  # of edges, which few meshes have
+    elif form.reader == "vtkCesium3DTilesReader":
+        reader.SetLevel(1000)  # the finest tiles there are
     elif hasattr(reader, "EnableAllPointArrays"):
         reader.UpdateInformation()
         reader.EnableAllPointArrays()
-    elif form.module == "vtkIOAMR" and form not in PARTICLES.values():
+    elif form.module == "vtkIOAMR" and "Particles" not in form.reader:
         reader.UpdateInformation()
         reader.SetMaxLevel(reader.GetNumberOfLevels())
         for i in range(reader.GetNumberOfCellArrays()):

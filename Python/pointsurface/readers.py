@@ -15,7 +15,7 @@ from contextlib import nullcontext
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkVersion
+from vtkmodules.vtkCommonCore import vtkDataArray, vtkVersion
 from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet,
     vtkHyperTreeGrid,
@@ -46,9 +46,9 @@ def read(path, tell=False):
     levels (AMR) are sampled evenly, as finely as their finest level, but at no more than 2^24 places; a file that holds
     particles and no levels, or a plotfile's folder of them, is points. Of FDS what was measured, the slices and obstacles.
     las, laz, e57: as the module scans tells; pcd, where PointSurface was built with PCL: as vtkPCDReader tells;
-    xyz (text, one point a line: x y z, or x y z nx ny nz, or x y z r g b with colours of 0 to 255; blanks or commas
-    between the numbers; comments start with # or //); pts (text; behind a line with their number, one point a line:
-    x y z, x y z intensity, x y z r g b or x y z intensity r g b).
+    xyz (text, of a molecule, or one point a line: x y z, or x y z nx ny nz, or x y z r g b with colours of 0 to 255; blanks
+    or commas between the numbers; comments start with # or //); pts (text; behind a line with their number, one point a
+    line: x y z, x y z intensity, x y z r g b or x y z intensity r g b).
     An array "radius" is the points' size and never their colour, so it is not left as the active scalars.
     tell: show on standard error how far VTK is, where that takes over a second, and let Ctrl-C stop it.
     Raises UnreadableFile for a file that is missing, broken, empty or of an unknown format.
@@ -63,12 +63,15 @@ def read(path, tell=False):
         )
 
     extension = _extension(path)
-    if extension in _TEXTS:
+    form = _form(path, extension)
+    if extension in _TEXTS and form is None:
         data = _TEXTS[extension](path)
     elif extension in scans.READERS:
         data = scans.read(path, extension, tell)
     else:
-        data = _points_or_volume(path, _read_with_vtk(path, extension, tell))
+        data = _points_or_volume(path, _read_with_vtk(path, extension, form, tell))
+        if isinstance(data, vtkPolyData):
+            _make_arrays_plain(data)
         if extension == "cube":
             _place_cube(path, data)
     if isinstance(data, vtkImageData):
@@ -85,17 +88,61 @@ def _kind_of_folder(folder):
     return "amrex" if {"Header", "Level_0"} <= set(names) else None
 
 
-def _holds_particles(path, extension):
-    """And nothing else: of a plotfile of AMReX they are in a folder of their own, which has a header of its own."""
-    if extension == "amrex":
+def _form(path, extension):
+    """How VTK reads it, if it does. What has the extension of another format is told by its content."""
+    kinds = formats.BY_CONTENT.get(extension)
+    kind = kinds and _KINDS[extension](path)
+    return kinds[kind] if kind else formats.FORMATS.get(extension)
+
+
+def _kind_of_plotfile(path):
+    """Its particles are in a folder of their own, which has a header of its own."""
+    if os.path.isdir(path):
         with open(os.path.join(path, "Header"), "rb") as file:
-            return file.readline().startswith(b"Version_")
-    if extension == "hierarchy":
-        with open(path, encoding="utf-8", errors="replace") as file:
-            counts = re.findall(r"^(NumberOfBaryonFields|NumberOfParticles)\s*=\s*(\d+)", file.read(), re.M)
-        fields, particles = ({int(n) for name, n in counts if name.endswith(end)} for end in ("Fields", "Particles"))
-        return fields == {0} and max(particles, default=0) > 0
-    return _has_bytes(path, b"tracer particles") and not _has_bytes(path, b"node type")  # flash: names, which are as they are
+            return "particles" if file.readline().startswith(b"Version_") else None
+
+
+def _kind_of_enzo(path):
+    with open(path, encoding="utf-8", errors="replace") as file:
+        counts = re.findall(r"^(NumberOfBaryonFields|NumberOfParticles)\s*=\s*(\d+)", file.read(), re.M)
+    fields, particles = ({int(n) for name, n in counts if name.endswith(end)} for end in ("Fields", "Particles"))
+    return "particles" if fields == {0} and max(particles, default=0) > 0 else None
+
+
+def _kind_of_flash(path):
+    """By names in HDF5, which are as they are."""
+    return "particles" if _has_bytes(path, b"tracer particles") and not _has_bytes(path, b"node type") else None
+
+
+def _kind_of_netcdf(path):
+    for name, kind in ((b"tetrahedron_interior", "SLAC"), (b"particlePos", "SLAC particles"), (b"mesh_topology", "UGRID")):
+        if _has_bytes(path, name):
+            return kind
+
+
+def _kind_of_obj(path):
+    """MNI's begins with the letter of an object, as text or (small) bytes; a line of Wavefront's with small ones."""
+    with open(path, "rb") as file:
+        head = file.read(64)
+    return "MNI" if re.match(rb"[PL] ", head) or (head[:1] in (b"p", b"l") and b"\0" in head) else None
+
+
+def _kind_of_xyz(path):
+    """Of a molecule: how many atoms, a title, and of each atom its element and its place."""
+    with open(path, encoding="utf-8", errors="replace") as file:
+        count, _, atom = [next(file, "").split() for _ in range(3)]
+    return "molecule" if len(count) == 1 and count[0].isdecimal() and len(atom) > 3 and atom[0].isalpha() else None
+
+
+_KINDS = {
+    "amrex": _kind_of_plotfile,
+    "flash": _kind_of_flash,
+    "hierarchy": _kind_of_enzo,
+    "nc": _kind_of_netcdf,
+    "ncdf": _kind_of_netcdf,
+    "obj": _kind_of_obj,
+    "xyz": _kind_of_xyz,
+}
 
 
 def _has_bytes(path, wanted):
@@ -116,12 +163,9 @@ def _extension(path):
     raise UnreadableFile(f"{path} has an unknown extension; known are {', '.join(known)}")
 
 
-def _read_with_vtk(path, extension, tell):
+def _read_with_vtk(path, extension, form, tell):
     if extension in _CHECKS:
         _CHECKS[extension](path)
-    form = formats.FORMATS.get(extension)
-    if extension in formats.PARTICLES and _holds_particles(path, extension):
-        form = formats.PARTICLES[extension]
     if form:
         _require_reader(form, path)
     if form and form.is_tried:
@@ -153,8 +197,9 @@ _TRIAL_SECONDS = 30.0
 _TRIAL_SECONDS_PER_MEGABYTE = 2.0
 
 # What has its data in other files: of the same folder, or of folders in it.
-_HEADERS = "amrex cas case cfg d3plot dcm encas foam h5rage hierarchy mhd nek5000 p3d pio smv vpc vrt wind xdmf xmf".split()
-_HEADERS_OF_FOLDERS = ("amrex", "foam", "h5rage", "pio", "vpc", "wind")
+_HEADERS = """amrex cas case cfg d3plot dcm encas foam h h5rage hierarchy json mhd nek5000 p3d pio smv sos vpc vrt wind xdmf
+    xmf""".split()
+_HEADERS_OF_FOLDERS = ("amrex", "foam", "h5rage", "json", "pio", "vpc", "wind")
 
 
 def _bytes_to_read(path, extension):
@@ -416,6 +461,21 @@ def _place_cube(path, volume):
     volume.SetSpacing([step[axis] for axis, (_, step) in enumerate(axes)])
 
 
+def _check_sep(path):
+    """VTK takes what it finds in memory for the part of a file that is missing."""
+    with open(path, encoding="utf-8", errors="replace") as file:
+        header = dict(re.findall(r'^\s*(\w+)\s*=\s*"?([^"\n]*)', file.read(), re.M))
+    try:
+        size = 8 if "double" in header["data_format"] else 4
+        needed = size * int(np.prod([int(header.get(f"n{i}", 1)) for i in range(1, 9)]))
+        data = os.path.join(os.path.dirname(path), header["in"].strip())
+    except (KeyError, ValueError) as error:
+        raise UnreadableFile(f"{path} is no header of SEP: it makes no sense at {error}") from error
+    found = os.path.getsize(data) if os.path.exists(data) else 0
+    if found < needed:
+        raise UnreadableFile(f"{path}: its data, {data}, are cut short or missing: {found} bytes, not {needed}")
+
+
 def _check_d3plot(path):
     """VTK leaves points where they were for the part of the last file that is missing: -999999 says where that ends."""
     last = path
@@ -462,6 +522,7 @@ _CHECKS = {
     "cube": _check_cube,
     "d3plot": _check_d3plot,
     "dcm": _check_dcm,
+    "h": _check_sep,
     "mrc": _check_mrc,
     "pcd": _check_pcd,
     "ply": _check_ply,
@@ -490,6 +551,24 @@ def _points_or_volume(path, data):
     if isinstance(data, vtkHyperTreeGrid):
         return _points_of_tree(data)
     raise UnreadableFile(f"{path} holds neither points nor a volume but a {data.GetClassName() if data else 'nothing'}")
+
+
+def _make_arrays_plain(cloud):
+    """Some readers give arrays by component, which numpy would have VTK copy, and warn of it, each time."""
+    points, data = cloud.GetPoints(), cloud.GetPointData()
+    if points is not None and not points.GetData().HasStandardMemoryLayout():
+        points.SetData(_plain(points.GetData()))
+    for i in range(data.GetNumberOfArrays()):
+        array = data.GetArray(i)
+        if array is not None and not array.HasStandardMemoryLayout():
+            data.AddArray(_plain(array))  # in the place of the one of this name
+
+
+def _plain(array):
+    copy = vtkDataArray.CreateDataArray(array.GetDataType())
+    copy.DeepCopy(array)
+    copy.SetName(array.GetName())
+    return copy
 
 
 def _even_volume(path, grid):

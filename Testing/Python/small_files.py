@@ -244,6 +244,88 @@ def write_enzo_particles(path):
     )
 
 
+def write_netcdf(path, dimensions, variables):
+    """The classic format: lengths by name; of each variable its dimensions' numbers, values (>f4, >f8, >i4), attributes."""
+    kinds = {">f4": 5, ">f8": 6, ">i4": 4}
+
+    def named(name):
+        return struct.pack(">i", len(name)) + name.encode() + b"\0" * (-len(name) % 4)
+
+    def count(kind, items):
+        return struct.pack(">2i", kind if items else 0, len(items))
+
+    def header(offset):
+        content = b"CDF\x01" + bytes(4) + count(10, dimensions)
+        content += b"".join(named(name) + struct.pack(">i", length) for name, length in dimensions.items())
+        content += struct.pack(">4i", 0, 0, 11, len(variables))
+        for name, (axes, values, attributes) in variables.items():
+            content += named(name) + struct.pack(f">{len(axes) + 1}i", len(axes), *axes) + count(12, attributes)
+            for key, value in attributes.items():
+                is_text = isinstance(value, str)
+                content += named(key) + (struct.pack(">i", 2) + named(value) if is_text else struct.pack(">3i", 4, 1, value))
+            content += struct.pack(">3i", kinds[values.dtype.str], values.nbytes, offset)
+            offset += values.nbytes
+        return content
+
+    data = b"".join(values.tobytes() for _, values, _ in variables.values())
+    path.write_bytes(header(len(header(0))) + data)
+
+
+def write_slac(path):
+    """A mesh of a tetrahedron, which is inside and at the border."""
+    cell = np.array([[1, 0, 1, 2, 3, 6, 6, 6, 6]], ">i4")
+    variables = {
+        "coords": ((0, 1), CORNERS.astype(">f8"), {}),
+        "tetrahedron_interior": ((2, 3), np.ascontiguousarray(cell[:, :5]), {}),
+        "tetrahedron_exterior": ((2, 4), cell, {}),
+    }
+    write_netcdf(path, {"ncoord": 4, "three": 3, "cells": 1, "five": 5, "nine": 9}, variables)
+
+
+def write_slac_particles(path):
+    variables = {
+        "particlePos": ((0, 1), np.concatenate([CORNERS, CORNERS], axis=1).astype(">f8"), {}),
+        "particleInfo": ((0, 2), np.array([[i, 0] for i in range(4)], ">i4"), {}),
+        "time": ((), np.array(0, ">f8"), {}),
+    }
+    write_netcdf(path, {"particles": 4, "six": 6, "two": 2}, variables)
+
+
+def write_ugrid(path):
+    """A mesh in the plane, as topologies of UGRID are of two dimensions, with heights."""
+    mesh = {"cf_role": "mesh_topology", "topology_dimension": 2}
+    mesh |= {"node_coordinates": "x y", "face_node_connectivity": "faces"}
+    faces = np.array([[0, 2, 3], [1, 3, 2]], ">i4")
+    variables = {
+        "mesh": ((), np.array(2, ">i4"), mesh),
+        "x": ((0,), CORNERS[:, 0].astype(">f8"), {}),
+        "y": ((0,), CORNERS[:, 1].astype(">f8"), {}),
+        "faces": ((1, 2), faces, {}),
+        "height": ((0,), np.arange(4, dtype=">f8"), {"location": "node", "mesh": "mesh"}),
+    }
+    write_netcdf(path, {"nodes": 4, "faces": 2, "three": 3}, variables)
+
+
+def write_sep(path):
+    axes = enumerate(((12, 1, "CDP"), (3, 2, "LINE"), (2, 3, "DEPTH"), (1, 1, "OFFSET")), 1)
+    header = "".join(f'n{i}={count}\nd{i}={step}\no{i}=0\nlabel{i}="{name}"\n' for i, (count, step, name) in axes)
+    path.write_text(f'{header}esize=4\ndata_format="native_float"\nendian="little"\nin={path.name}@\n')
+    path.with_name(path.name + "@").write_bytes(VALUES.astype("<f4").tobytes())
+
+
+def write_tileset(path):
+    """Of a coarse tile, and a fine one in its place. What is up in glTF, y, is z in tiles."""
+    write_b3dm(path.with_name("fine.b3dm"))
+    box = {"boundingVolume": {"box": [0] * 12}}
+    fine = {**box, "geometricError": 0, "content": {"uri": "fine.b3dm"}}
+    root = {**box, "geometricError": 1, "content": {"uri": "absent.b3dm"}, "children": [fine]}
+    path.write_text(json.dumps({"asset": {"version": "1.0"}, "geometricError": 2, "root": root}))
+
+
+def write_molecule(path):
+    path.write_text("4\nfour\n" + rows("C {1} {2} {3}\n"))
+
+
 # In HDF5: values of the ramp, with its rows in y from the last one on; the corners, as ERF has nodes, and as particles.
 H5RAGE = """
 eNrt1zFIw0AUgOG7pJUoCi0IFhHM4ODg0MGhg2ArrXQQLerg4FDBoYODQ4cqgkVEoog4Ojo6Ojp2dHR0dHR0dNM/yQuYqEUrlBbz6NfXXC6543qXXk/LxcWR

@@ -32,13 +32,13 @@ from vtkmodules.vtkCommonDataModel import (
 )
 from vtkmodules.vtkIOExodus import vtkExodusIIWriter
 from vtkmodules.vtkIOGeometry import vtkBYUWriter
-from vtkmodules.vtkIOMINC import vtkMINCImageWriter, vtkMNITagPointWriter
+from vtkmodules.vtkIOMINC import vtkMINCImageWriter, vtkMNIObjectWriter, vtkMNITagPointWriter
 from vtkmodules.vtkIOParallel import vtkPDataSetWriter
 from vtkmodules.vtkIOParallelXML import vtkXMLPartitionedDataSetCollectionWriter, vtkXMLPartitionedDataSetWriter
 from vtkmodules.vtkIOXML import vtkXMLHyperTreeGridWriter, vtkXMLUniformGridAMRWriter
 
 from pointsurface import subjects
-from pointsurface.formats import FORMATS, NOT_READ, PARTICLES
+from pointsurface.formats import BY_CONTENT, FORMATS, NOT_READ
 from pointsurface.readers import read
 
 
@@ -102,28 +102,10 @@ def write_dicom(path):
 
 
 def write_netcdf(path):
-    """The classic format: dimensions, no attributes, four variables, their values."""
-    variables = [
-        ("z", (0,), 6, np.array([0, 3], ">f8")),
-        ("y", (1,), 6, np.array([0, 2, 4], ">f8")),
-        ("x", (2,), 6, np.arange(12, dtype=">f8")),
-        ("values", (0, 1, 2), 5, VALUES.astype(">f4")),
-    ]
-
-    def named(name):
-        return struct.pack(">i", len(name)) + name.encode() + b"\0" * (-len(name) % 4)
-
-    def header(offset):
-        text = b"CDF\x01" + struct.pack(">3i", 0, 10, 3)
-        text += b"".join(named(name) + struct.pack(">i", size) for name, size in zip("zyx", (2, 3, 12)))
-        text += struct.pack(">4i", 0, 0, 11, len(variables))
-        for name, dimensions, kind, values in variables:
-            text += named(name) + struct.pack(f">{len(dimensions) + 1}i", len(dimensions), *dimensions)
-            text += struct.pack(">5i", 0, 0, kind, values.nbytes, offset)
-            offset += values.nbytes
-        return text
-
-    path.write_bytes(header(len(header(0))) + b"".join(values.tobytes() for *_, values in variables))
+    steps = {"z": np.array([0, 3], ">f8"), "y": np.array([0, 2, 4], ">f8"), "x": np.arange(12, dtype=">f8")}
+    variables = {name: ((i,), values, {}) for i, (name, values) in enumerate(steps.items())}
+    variables["values"] = ((0, 1, 2), VALUES.astype(">f4"), {})
+    small_files.write_netcdf(path, {"z": 2, "y": 3, "x": 12}, variables)
 
 
 def write_slc(path):
@@ -153,6 +135,7 @@ def write_cube(path):
 VOLUMES = {
     "cube": write_cube,
     "dicom": write_dicom,
+    "h": small_files.write_sep,
     "h5rage": small_files.write_h5rage,
     "mnc": lambda path: write(path, vtkMINCImageWriter(), ramp()),
     "nc": write_netcdf,
@@ -338,25 +321,39 @@ def test_volumes_of_levels(tmp_path, extension):
     assert np.abs(found - expected).max() <= 0.5 * 111 + 1  # half a cell off at the most, in each direction
 
 
-PARTICLE_FILES = {
-    "amrex": small_files.write_amrex_particles,
-    "flash": lambda path: unpack(small_files.FLASH_PARTICLES, path),
-    "hierarchy": small_files.write_enzo_particles,
+OF_CONTENT = {
+    ("amrex", "particles"): small_files.write_amrex_particles,
+    ("flash", "particles"): lambda path: unpack(small_files.FLASH_PARTICLES, path),
+    ("hierarchy", "particles"): small_files.write_enzo_particles,
+    ("nc", "SLAC"): small_files.write_slac,
+    ("nc", "SLAC particles"): small_files.write_slac_particles,
+    ("nc", "UGRID"): small_files.write_ugrid,
+    ("obj", "MNI"): lambda path: write(path, vtkMNIObjectWriter(), triangles()),
+    ("xyz", "molecule"): small_files.write_molecule,
 }
+HEIGHTS = {"amrex": "height", "hierarchy": "particle_height"}  # and not of Flash, whose values VTK mixes up
 
 
-@pytest.mark.parametrize("extension", PARTICLE_FILES)
-def test_particles(tmp_path, extension):
-    """A file that has no levels, or a folder in that of the plotfile: of the extension of volumes of levels.
+def test_every_reader_that_the_content_tells_has_a_file():
+    assert set(OF_CONTENT) == {(e, kind) for e, kinds in BY_CONTENT.items() for kind in kinds if e != "ncdf"}
+
+
+@pytest.mark.parametrize("extension, kind", OF_CONTENT)
+def test_formats_that_the_content_tells(tmp_path, extension, kind):
+    """Their extension is that of another one. (Of AMReX it is a folder in that of the plotfile.)
 
     Before those of CGNS and Exodus: after them, VTK 9.1's readers of Flash and Enzo let HDF5 crash as the process ends.
     """
-    path = tmp_path / ("particles" if extension == "amrex" else f"particles.{extension}")
-    PARTICLE_FILES[extension](path)
+    form = BY_CONTENT[extension][kind]
+    if not hasattr(pytest.importorskip(f"vtkmodules.{form.module}"), form.reader):
+        pytest.skip(f"this VTK has no {form.reader}")
+    path = tmp_path / ("particles" if extension == "amrex" else f"four.{extension}")
+    OF_CONTENT[extension, kind](path)
     cloud = read(str(path))
-    assert np.array_equal(vtk_to_numpy(cloud.GetPoints().GetData()), CORNERS)
-    if extension != "flash":  # whose values VTK mixes up
-        heights = cloud.GetPointData().GetArray("height" if extension == "amrex" else "particle_height")
+    expected = CORNERS * (1, 1, 0) if kind == "UGRID" else CORNERS
+    assert np.allclose(vtk_to_numpy(cloud.GetPoints().GetData()), expected)
+    if extension in HEIGHTS or kind == "UGRID":
+        heights = cloud.GetPointData().GetArray(HEIGHTS.get(extension, "height"))
         assert vtk_to_numpy(heights).tolist() == [0, 1, 2, 3]
 
 
@@ -412,6 +409,12 @@ def write_ensight(path):
         f"{1:10d}{2:10d}{3:10d}{4:10d}\n"
     )
     heights.write_text(f"height\n{part}coordinates\n" + "".join(f"{i:12.5e}\n" for i in range(4)))
+
+
+def write_servers(path):
+    write_ensight(path.with_suffix(".case"))
+    server = f"#Server 1\nmachine id: here\nexecutable: ensight\ncasefile: {path.stem}.case\n"
+    path.write_text(f"FORMAT\ntype: master_server gold\nSERVERS\nnumber of servers: 1\n{server}")
 
 
 def write_foam(path):
@@ -624,12 +627,14 @@ POINTS = {
     "gml": write_gml,
     "h5part": lambda path: unpack(H5PART, path),
     "inp": lambda path: path.write_text(UCD),
+    "json": small_files.write_tileset,
     "neu": write_gambit,
     "off": lambda path: path.write_text(OFF),
     "omf": small_files.write_omf,
     "pdb": lambda path: path.write_text(PDB),
     "pvtk": lambda path: write(path, vtkPDataSetWriter(), cell()),
     "smv": small_files.write_fds,
+    "sos": write_servers,
     "tag": lambda path: write(path, vtkMNITagPointWriter(), triangles()),
     "tec": lambda path: path.write_text(TECPLOT),
     "tri": write_tri,
@@ -665,6 +670,8 @@ def test_points(tmp_path, extension, capfd):
         expected = expected * (1, 1, -1)  # time goes down
     if extension == "wind":
         expected = expected + (0, 0, 0.5)
+    if extension == "json":
+        expected = expected[:, [0, 2, 1]] * (1, -1, 1)
     if extension in MIXED:
         points, expected = np.unique(points, axis=0), np.unique(expected, axis=0)
     assert np.allclose(points, expected)
@@ -694,6 +701,9 @@ def test_scenes_need_no_display(tmp_path, extension, monkeypatch, capfd):
     assert capfd.readouterr() == ("", "")
 
 
+LOOKED_AT = ("amrex", "cube", "d3plot", "dcm", "h", "mrc", "ply", "stl", "tag", "tri")  # before a reader is asked for
+
+
 @pytest.mark.parametrize("extension", FORMATS)
 def test_readers_that_this_vtk_does_not_have(tmp_path, extension, monkeypatch):
     """Module or class: both are named, with what to do."""
@@ -702,7 +712,7 @@ def test_readers_that_this_vtk_does_not_have(tmp_path, extension, monkeypatch):
     path.write_text("")
     for missing in (form._replace(module="vtkIONowhere"), form._replace(reader="vtkNoReader")):
         monkeypatch.setitem(FORMATS, extension, missing)
-        if extension not in ("amrex", "cube", "d3plot", "dcm", "mrc", "ply", "stl", "tag", "tri"):  # which are looked at first
+        if extension not in LOOKED_AT:
             check_fault(path, missing.module, missing.reader, "pip install vtk")
 
 
@@ -718,7 +728,7 @@ def test_broken_files(tmp_path, extension, content, capfd):
     assert capfd.readouterr() == ("", "")
 
 
-CUT = ["3ds", "avm", "b3dm", "bts", "cgns", "erfh5", "cube", "exo", "facet", "flash", "h5part", "gml", "inp", "mnc", "nc", "neu", "nek5000", "omf", "slc", "tag", "vtkhdf", "x3d"]
+CUT = "3ds avm b3dm bts cgns cube erfh5 exo facet flash gml h5part inp mnc nc neu nek5000 omf slc tag vtkhdf x3d".split()
 
 
 SHARES = [(e, s) for e in CUT for s in (0.9, 0.5)] + [("byu", 0.5), ("case", 0.5), ("tri", 0.9)]
@@ -738,6 +748,7 @@ def test_files_cut_short(tmp_path, extension, share):
 COMPANIONS = {
     "cfg": "{}.stl",
     "d3plot": "{}.d3plot01",
+    "h": "{}.h@",
     "h5rage": "{}-h0001values000001",
     "nek5000": "{}0.f00001",
     "pio": "{}-dmp000000",
@@ -807,7 +818,7 @@ def test_every_reader_of_this_vtk_is_in_the_table_or_it_is_said_why_not():
         "            print(name)\n"
     )
     known = set(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split())
-    read = {form.reader for form in (*FORMATS.values(), *PARTICLES.values())}
+    read = {form.reader for form in (*FORMATS.values(), *(form for kinds in BY_CONTENT.values() for form in kinds.values()))}
     left_out = [name for names in NOT_READ.values() for name in names.split()]
     assert len(known) > 150 and len(left_out) == len(set(left_out))
     assert known - read - set(left_out) == set()
