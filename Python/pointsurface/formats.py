@@ -104,6 +104,7 @@ FORMATS = {
     "obj": Format("vtkIOGeometry", "vtkOBJReader", is_tried=False),
     "off": Format("vtkIOGeometry", "vtkOFFReader"),
     "omf": Format("vtkIOOMF", "vtkOMFReader"),
+    "out": Format("vtkIOChemistry", "vtkVASPAnimationReader"),
     "pdb": Format("vtkIOChemistry", "vtkPDBReader"),
     "ply": Format("vtkIOPLY", "vtkPLYReader"),
     "pvtp": _XML,
@@ -187,9 +188,9 @@ NOT_READ = {
     "the same files as a reader of the table, by several processes or in another way": """
         vtkCGNSFileSeriesReader vtkCONVERGECFDCGNSReader vtkCPExodusIIInSituReader vtkEnSightGoldCombinedReader
         vtkEnSightMasterServerReader vtkGaussianCubeReader vtkGLTFImporter vtkIOSSReader vtkMPIImageReader
-        vtkMPIMultiBlockPLOT3DReader vtkOBJImporter vtkOMETIFFReader vtkPChacoReader vtkPExodusIIReader vtkPLSDynaReader
-        vtkPNetCDFPOPReader vtkPNrrdReader vtkPOpenFOAMReader vtkPSLACReader vtkPWindBladeReader vtkRTXMLPolyDataReader
-        vtkXYZMolReader""",
+        vtkMPIMultiBlockPLOT3DReader vtkNetCDFPOPReader vtkOBJImporter vtkOMETIFFReader vtkPChacoReader
+        vtkPExodusIIReader vtkPLSDynaReader vtkPNetCDFPOPReader vtkPNrrdReader vtkPOpenFOAMReader vtkPSLACReader
+        vtkPWindBladeReader vtkRTXMLPolyDataReader vtkXYZMolReader""",
     "the module readers reads such text itself": "vtkPTSReader vtkParticleReader vtkSimplePointsReader",
     "tables, graphs, trees, transforms or models: neither points of a surface nor a volume": """
         vtkArrayDataReader vtkArrayReader vtkBiomTableReader vtkChacoGraphReader vtkChacoReader vtkDelimitedTextReader
@@ -203,7 +204,7 @@ NOT_READ = {
     "bytes whose sizes no header tells": "vtkImageReader vtkImageReader2 vtkVolume16Reader",
     "what only one program writes, with no small file of it to be had": """
         vtkCONVERGECFDReader vtkFLUENTCFFReader vtkGESignaReader vtkMFIXReader vtkMPASReader vtkNetCDFCAMReader
-        vtkNetCDFPOPReader vtkTRUCHASReader vtkVASPAnimationReader vtkVASPTessellationReader vtkVeraOutReader""",
+        vtkTRUCHASReader vtkVASPTessellationReader vtkVeraOutReader""",
 }
 
 

@@ -581,6 +581,7 @@ TECPLOT = (
     + "1 2 3 4\n"
 )
 PDB = rows("ATOM  {:5d}  C   ALA A   1    {:8.3f}{:8.3f}{:8.3f}  1.00  0.00           C\n") + "END\n"
+VASP = "time = 0\n1 0 0\n0 1 0\n0 0 1\n4\n" + rows("{} 6 C {} {} {} 1.0 0.0\n")
 OFF = "OFF\n4 4 6\n" + rows("{1} {2} {3}\n") + rows("3 {1} {2} {3}\n", FACES)
 XDMF = f"""<?xml version="1.0"?><Xdmf Version="2.0"><Domain><Grid Name="four">
 <Topology TopologyType="Tetrahedron" NumberOfElements="1">
@@ -631,6 +632,7 @@ POINTS = {
     "neu": write_gambit,
     "off": lambda path: path.write_text(OFF),
     "omf": small_files.write_omf,
+    "out": lambda path: path.write_text(VASP),
     "pdb": lambda path: path.write_text(PDB),
     "pvtk": lambda path: write(path, vtkPDataSetWriter(), cell()),
     "smv": small_files.write_fds,
@@ -728,7 +730,7 @@ def test_broken_files(tmp_path, extension, content, capfd):
     assert capfd.readouterr() == ("", "")
 
 
-CUT = "3ds avm b3dm bts cgns cube erfh5 exo facet flash gml h5part inp mnc nc neu nek5000 omf slc tag vtkhdf x3d".split()
+CUT = "3ds avm b3dm bts cgns cube erfh5 exo facet flash gml h5part inp mnc nc neu nek5000 omf out slc tag vtkhdf x3d".split()
 
 
 SHARES = [(e, s) for e in CUT for s in (0.9, 0.5)] + [("byu", 0.5), ("case", 0.5), ("tri", 0.9)]
