@@ -127,6 +127,7 @@ FORMATS = {
     "exii": _EXODUS,
     "exo": _EXODUS,
     "foam": Format("vtkIOGeometry", "vtkOpenFOAMReader"),
+    "h5": Format("vtkIOCONVERGECFD", "vtkCONVERGECFDReader"),
     "htg": Format("vtkIOXML", "vtkXMLHyperTreeGridReader"),
     "inp": Format("vtkIOGeometry", "vtkAVSucdReader"),
     "nek5000": Format("vtkIOParallel", "vtkNek5000Reader", prints=1),
@@ -203,8 +204,8 @@ NOT_READ = {
     "flat pictures": "vtkBMPReader vtkDEMReader vtkHDRReader vtkJPEGReader vtkPNGReader vtkPNMReader vtkTGAReader",
     "bytes whose sizes no header tells": "vtkImageReader vtkImageReader2 vtkVolume16Reader",
     "what only one program writes, with no small file of it to be had": """
-        vtkCONVERGECFDReader vtkFLUENTCFFReader vtkGESignaReader vtkMFIXReader vtkMPASReader vtkNetCDFCAMReader
-        vtkTRUCHASReader vtkVASPTessellationReader vtkVeraOutReader""",
+        vtkFLUENTCFFReader vtkGESignaReader vtkMFIXReader vtkMPASReader vtkNetCDFCAMReader vtkTRUCHASReader
+        vtkVASPTessellationReader vtkVeraOutReader""",
 }
 
 

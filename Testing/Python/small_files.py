@@ -326,7 +326,8 @@ def write_molecule(path):
     path.write_text("4\nfour\n" + rows("C {1} {2} {3}\n"))
 
 
-# In HDF5: values of the ramp, with its rows in y from the last one on; the corners, as ERF has nodes, and as particles.
+# In HDF5: values of the ramp, with its rows in y from the last one on; the corners, as ERF and CONVERGE have nodes, and as
+# particles.
 H5RAGE = """
 eNrt1zFIw0AUgOG7pJUoCi0IFhHM4ODg0MGhg2ArrXQQLerg4FDBoYODQ4cqgkVEoog4Ojo6Ojp2dHR0dHR0dNM/yQuYqEUrlBbz6NfXXC6543qXXk/LxcWR
 ofEh5YZlqYRKqY/xJpFKh4+D81XJWrIj+cYIyrV3LiPlabl/tN76aqnk1n6LRNBONuFnW8XxH6NcKlTcvCHH05LvjXC97a36lpsbcrwneT8yT7M/bFerpH+N
@@ -364,4 +365,17 @@ eNrr9HBx4+WS4mIAAQ4OBhYGAQZk8B8KHnCg8mHyCVCaEUp3QOkVTDBxRrCcBFRcEGo+urqQIFdXkOr/
 FpVkJuekKuQl5qYWMzCUFCUmpxYpwISLGdDSqwYBexkZ2CBqGWF8iA5GJogAC5p56HxmBg4wWxiadlmhfCYmiAEc0BTNzMjAgZqjIEAIKgxSvKqdO5uBoWJA
 4yHYz9+FkYEJ5lgGBWb86mH5tYJ1NA2jpitWotIVLpoZGLIglYIK9tC4cGAw4WYw+Q+ND9zpLAEadQ1oLqoYjZQRCDJSM9MzShQwQEF+cYWCAlbxShziVdjE
 UW37YI/dFejiGOoc8OvjcMDlPwCvfFXY
+"""
+
+CONVERGE = """
+eNrtWr1v01AQf7YTcEuRUqiaKAiwioCCCmTokK1141diKbGj2KkSFpeNoUM32OgYto5ZGBiQIgbEX4AYOyFGJsTYsWJiosT2ndP31Djpp+rm/aT2fPY5Lznf
+x++d/K5srF6fzE8SH6pKUiRDDmIf0C2wOl5fBymBbIPsynheCa7l4HwGPl9T2PvdOqW+9T4HXGf5SihzRGAcUaZ6zZdN0OdB7sis3YrdsAy9blIn1J1eYOlV
+r1Dg4rQw4rrTEK98XE+RZfi8KTJDVGI33FrD9VyzSsP7tKXe2SByyeI1srivsOuT6PtITH7gel2w30mPlh+djMgPkR/9/CiC3E0fmh8tz9Krfo5YjapHK7RK
+LddhrpuGczBetQHrOpZtSESGWCdki4tzPo6j+Jxh7eZBL8+O5/OTSDr0hYR66ClJkhg/oVR6HvePb/b++a5Ngy7LcmCiwv2K1IFHwwUC6Vxof7x+ubHRIyPh
+D3Zp1Q/uraXwj0f8OT8AffIwEVTtEDLnUQWkDMd4n6//gyo7SAoICAgICAicFkJeqUT7vL0b8fbIP9tX4+2Qf/6eFrzycF6ZCY4zPYemDjD/wfzyPbg+xa28
+Pab++JAwfxw+f+D3Y8PmD9v5o81VBC73/AHz5xW3n1/T66a+UqE4fyjRSsUrUculdc/QXT2yo3WXNr2SbdcN09JdnOeVbMuiJddcM93W2e6bPyZy3zwon/9m
+of/lR8vnn7fYviow3vmM8VTMs3ZB/mJSO/08Wz4R70tF6xXusPnbBP2NBt8T5z2PWbsu6DsLbBz/yLJ2fF5g/yrfY+02Qd++nyT+LEW/+9usiOnz4Yu54Hha
+uxvxxaxKsm8JGcIbPw3gje1E9Bc+L4f1lz1N9BfRX/r9Bd866GisHYz+o/wqn3Jd1G6LZ3EWdRGrWOrEdfGzykZIsuoizxuG1UX1Acu3BMa7LmI5/MLxTrze
+AvmC4yHFY9VFJaqLxbl4e8zG2sN4O4zj9XlRF0+3Ln5NSF08L398vxT+SBN26nT0+fMv8MMMt3Ky5s/8/n3o+6FPRN8UfbPfF3H+tLvA2tXsSuu5bXn26qpD
+3b7u2l44csa5VjhnpobnT7icqK/mBvRNnBt1nsV/T+yvm49G65vtp6Jv+sA3t6aOXRf/gOsLCamL8f5QuXg6uj/mJliGebH98R/ljTXm
 """

@@ -626,6 +626,7 @@ POINTS = {
     "foam": write_foam,
     "geojson": write_geojson,
     "gml": write_gml,
+    "h5": lambda path: unpack(small_files.CONVERGE, path),
     "h5part": lambda path: unpack(H5PART, path),
     "inp": lambda path: path.write_text(UCD),
     "json": small_files.write_tileset,
@@ -648,7 +649,7 @@ POINTS = {
     "xmf": lambda path: path.write_text(XDMF),
     **BOXES,
 }
-MIXED = ("avm", "cas", "cfg", "erfh5", "geojson", "gml", "pio", "sgy", "tri")  # points that are there twice, another order
+MIXED = ("avm", "cas", "cfg", "erfh5", "geojson", "gml", "h5", "pio", "sgy", "tri")  # points twice, or in another order
 WITH_HEIGHT = ("case", "exo", "h5part", "inp", "pvtk", "tec", "vtpc", "vtpd", "xmf", "cgns", "omf", "wind")
 
 
@@ -730,10 +731,10 @@ def test_broken_files(tmp_path, extension, content, capfd):
     assert capfd.readouterr() == ("", "")
 
 
-CUT = "3ds avm b3dm bts cgns cube erfh5 exo facet flash gml h5part inp mnc nc neu nek5000 omf out slc tag vtkhdf x3d".split()
+CUT = "3ds avm b3dm bts cgns cube erfh5 exo facet flash gml h5 h5part inp mnc nc nek5000 neu omf out slc tag vtkhdf x3d"
 
 
-SHARES = [(e, s) for e in CUT for s in (0.9, 0.5)] + [("byu", 0.5), ("case", 0.5), ("tri", 0.9)]
+SHARES = [(e, s) for e in CUT.split() for s in (0.9, 0.5)] + [("byu", 0.5), ("case", 0.5), ("tri", 0.9)]
 
 
 @pytest.mark.parametrize("extension, share", SHARES)
