@@ -15,7 +15,8 @@ from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
-from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 OUTPUT = os.environ["POINTSURFACE_TEST_OUTPUT"]
 BASELINES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "Baseline")
@@ -80,6 +81,19 @@ def picture(where, name):
     simple.Render(where)
     simple.SaveScreenshot(path, where, ImageResolution=where.ViewSize)
     return read(path)
+
+
+def interactive(where, name):
+    """The same of what it shows while it is turned."""
+    where.SMProxy.InteractiveRender()
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(where.GetClientSideObject().GetRenderWindow())
+    grab.ShouldRerenderOff()
+    writer = vtkPNGWriter()
+    writer.SetFileName(os.path.join(OUTPUT, name + ".png"))
+    writer.SetInputConnection(grab.GetOutputPort())
+    writer.Write()
+    return read(writer.GetFileName())
 
 
 def read(path):

@@ -15,6 +15,11 @@ def values_of(data, name):
     return vtk_to_numpy(data.GetPointData().GetArray(name))
 
 
+# in the menu
+for name in ("IsosurfacePoints", "PointSpacing", "AlgebraicSplats"):
+    hints = simple.servermanager.ProxyManager().GetPrototypeProxy("filters", name).GetHints()
+    assert hints.FindNestedElementByName("ShowInMenu").GetAttribute("category") == "Point Surface", name
+
 # isosurfaces: the vertices of the mesh, in other order
 wavelet = simple.Wavelet(WholeExtent=[-60, 60] * 3)
 mesh = simple.Contour(wavelet, ContourBy=ARRAY, Isosurfaces=ISOVALUES)

@@ -2,30 +2,13 @@
 """While the camera moves fewer points are drawn, with larger radii: a coarser picture of the same surface, without holes,
 in the same colours; when it rests all are drawn again."""
 
-import os
-
 import numpy as np
 from paraview import simple
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 import scene
 
 BLOCKS = ["/Root/left", "0", "0", "1"]
 view = scene.view()
-
-
-def interactive(name):
-    """What the view shows while it is turned; kept as name.png."""
-    view.SMProxy.InteractiveRender()
-    grab = vtkWindowToImageFilter()
-    grab.SetInput(view.GetClientSideObject().GetRenderWindow())
-    grab.ShouldRerenderOff()
-    writer = vtkPNGWriter()
-    writer.SetFileName(os.path.join(scene.OUTPUT, name + ".png"))
-    writer.SetInputConnection(grab.GetOutputPort())
-    writer.Write()
-    return scene.read(writer.GetFileName())
 
 
 def drawn():
@@ -45,7 +28,7 @@ for system in ("Pull-Push", "Surface Splats"):
         display = scene.show(points, view, system)
         still = scene.picture(view, f"lod-still-{system}")
         assert drawn() == 200000
-        levels = interactive(f"lod-{system}-{resolution}")
+        levels = scene.interactive(view, f"lod-{system}-{resolution}")
         assert abs(drawn() * 2 ** (8 * (1 - resolution)) / 200000 - 1) < 0.1, drawn()
         differences.append(np.abs(levels - still).mean())
         print(f"{system}, resolution {resolution}: {differences[-1]:.3f} grey levels")
@@ -63,4 +46,4 @@ display.BlockColors = BLOCKS
 view.CameraParallelScale = 2
 view.LODResolution = 0.5
 still = scene.picture(view, "lod-blocks")
-scene.assert_like(interactive("lod-blocks-interactive"), still, "blocks", iou=0.96, difference=6)
+scene.assert_like(scene.interactive(view, "lod-blocks-interactive"), still, "blocks", iou=0.96, difference=6)

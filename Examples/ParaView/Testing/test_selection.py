@@ -10,12 +10,22 @@ import scene
 CAMERA = np.array([6.0, 4.0, 5.0])
 
 
+def leaves(data):
+    if data.IsA("vtkDataSet"):
+        yield data
+        return
+    leaf = data.NewIterator()
+    while not leaf.IsDoneWithTraversal():
+        yield leaf.GetCurrentDataObject()
+        leaf.GoToNextItem()
+
+
 def selected(source):
     """Positions of the selected points, and their ids."""
     extract = simple.ExtractSelection(source)
     extract.UpdatePipeline()
     data = simple.servermanager.Fetch(extract)
-    blocks = [data] if data.IsA("vtkDataSet") else list(simple.servermanager.vtkCompositeDataSet.GetDataSets(data))
+    blocks = list(leaves(data))
     positions = [vtk_to_numpy(block.GetPoints().GetData()) for block in blocks if block.GetNumberOfPoints()]
     ids = [vtk_to_numpy(block.GetPointData().GetArray("vtkOriginalPointIds")) for block in blocks
            if block.GetNumberOfPoints()]
@@ -46,4 +56,20 @@ assert pixels.min() > 5 and (pixels.max(axis=0) < [65, 45]).all() and (pixels.mi
 cloud = vtk_to_numpy(simple.servermanager.Fetch(points).GetPoints().GetData())
 assert np.allclose(cloud[ids[0]], positions[0])
 before = scene.picture(view, "selection")
+simple.ClearSelection()
+
+# of composite data: in each block its own points
+simple.Hide(points, view)
+halves = [scene.sphere_points(10000, [0, y, 0]) for y in (-0.5, 0.5)]
+group = simple.GroupDatasets(Input=halves, OutputType="vtkMultiBlockDataSet", BlockNames=["left", "right"])
+group.UpdatePipeline()
+scene.show(group, view, "Pull-Push")
+simple.SetActiveSource(group)
+simple.SelectSurfacePoints(Rectangle=[60, 100, 240, 200], View=view)
+positions, ids = selected(group)
+assert len(positions) == 2, "of one block none is selected"
+for block, (found, numbers) in enumerate(zip(positions, ids)):
+    cloud = vtk_to_numpy(simple.servermanager.Fetch(halves[block]).GetPoints().GetData())
+    print(len(numbers), "points of block", block, "selected")
+    assert len(numbers) > 50 and np.allclose(cloud[numbers], found)
 simple.ClearSelection()

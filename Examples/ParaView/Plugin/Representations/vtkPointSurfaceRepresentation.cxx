@@ -15,6 +15,7 @@
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataObjectTreeRange.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -29,6 +30,7 @@
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -135,10 +137,37 @@ int vtkPointSurfaceRepresentation::RequestData(
 //------------------------------------------------------------------------------
 namespace
 {
-/// Adds the points of visible blocks. VTK's own bounds are those of cells, of which there may be
-/// none.
-void AddBounds(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes, bool visible,
-  vtkBoundingBox& box)
+/// Adds points, if asked without the copies of other ranks'. VTK's own bounds are those of cells,
+/// of which there may be none.
+void AddPoints(vtkPointSet* points, bool copies, vtkBoundingBox& box)
+{
+  auto* types = vtkUnsignedCharArray::SafeDownCast(
+    points->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  if (copies || !types)
+  {
+    double bounds[6];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      points->GetPoints()->GetData()->GetFiniteRange(bounds + 2 * axis, axis);
+    }
+    box.AddBounds(bounds);
+    return;
+  }
+  for (vtkIdType id = 0; id < points->GetNumberOfPoints(); ++id)
+  {
+    double x[3];
+    points->GetPoint(id, x);
+    const bool isCopy = types->GetValue(id) & vtkDataSetAttributes::DUPLICATEPOINT;
+    if (!isCopy && std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]))
+    {
+      box.AddPoint(x);
+    }
+  }
+}
+
+/// Adds the points of visible blocks.
+void AddBlocks(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes, bool visible,
+  bool copies, vtkBoundingBox& box)
 {
   if (attributes->HasBlockVisibility(data))
   {
@@ -148,20 +177,28 @@ void AddBounds(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attribute
   {
     for (vtkDataObject* child : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
     {
-      AddBounds(child, attributes, visible, box);
+      AddBlocks(child, attributes, visible, copies, box);
     }
     return;
   }
   auto* points = vtkPointSet::SafeDownCast(data);
   if (visible && points && points->GetNumberOfPoints() > 0)
   {
-    double bounds[6];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      points->GetPoints()->GetData()->GetFiniteRange(bounds + 2 * axis, axis);
-    }
-    box.AddBounds(bounds);
+    AddPoints(points, copies, box);
   }
+}
+
+vtkBoundingBox Transform(const vtkBoundingBox& box, vtkMatrix4x4* matrix)
+{
+  vtkBoundingBox transformed;
+  for (int corner = 0; box.IsValid() && corner < 8; ++corner)
+  {
+    double x[4] = { 0.0, 0.0, 0.0, 1.0 };
+    box.GetCorner(corner, x);
+    matrix->MultiplyPoint(x, x);
+    transformed.AddPoint(x);
+  }
+  return transformed;
 }
 }
 
@@ -175,12 +212,20 @@ void vtkPointSurfaceRepresentation::TellBounds(vtkInformation* inInfo)
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   this->PopulateBlockAttributes(attributes, data);
   vtkBoundingBox box;
-  AddBounds(data, attributes, true, box);
+  AddBlocks(data, attributes, true, true, box);
   double bounds[6];
   box.GetBounds(bounds);
   vtkNew<vtkMatrix4x4> matrix;
   this->Actor->GetMatrix(matrix);
   vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, matrix);
+
+  // Where pictures are blended, in the order of ranks' regions, ParaView would give each rank the
+  // cells of another region, and points that are in no cells to none.
+  vtkBoundingBox own;
+  AddBlocks(data, attributes, true, false, own);
+  Transform(own, matrix).GetBounds(bounds);
+  vtkPVRenderView::SetOrderedCompositingConfiguration(
+    inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, bounds);
 }
 
 //------------------------------------------------------------------------------
