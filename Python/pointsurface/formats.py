@@ -201,10 +201,11 @@ NOT_READ = {
         vtkTulipReader vtkXGMLReader vtkXMLPTableReader vtkXMLStatisticalModelReader vtkXMLTableReader vtkXMLTreeReader""",
     "cells of any order (vtkCellGrid), which have no points": """
         vtkCellGridReader vtkCompositeCellGridReader vtkIOSSCellGridReader vtkLegacyCellGridReader""",
-    "flat pictures": "vtkBMPReader vtkDEMReader vtkHDRReader vtkJPEGReader vtkPNGReader vtkPNMReader vtkTGAReader",
+    "flat pictures, or slices with a file each": """
+        vtkBMPReader vtkDEMReader vtkGESignaReader vtkHDRReader vtkJPEGReader vtkPNGReader vtkPNMReader vtkTGAReader""",
     "bytes whose sizes no header tells": "vtkImageReader vtkImageReader2 vtkVolume16Reader",
     "what only one program writes, with no small file of it to be had": """
-        vtkFLUENTCFFReader vtkGESignaReader vtkMFIXReader vtkMPASReader vtkNetCDFCAMReader vtkTRUCHASReader
+        vtkFLUENTCFFReader vtkMFIXReader vtkMPASReader vtkNetCDFCAMReader vtkTRUCHASReader
         vtkVASPTessellationReader vtkVeraOutReader""",
 }
 
