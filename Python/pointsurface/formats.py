@@ -165,6 +165,7 @@ BY_CONTENT = {
         "UGRID": Format("vtkIONetCDF", "vtkNetCDFUGRIDReader"),
     },
     "obj": {"MNI": Format("vtkIOMINC", "vtkMNIObjectReader")},
+    "out": {"tessellation": Format("vtkIOChemistry", "vtkVASPTessellationReader")},
     "xyz": {"molecule": Format("vtkIOChemistry", "vtkXYZMolReader2")},
 }
 BY_CONTENT["ncdf"] = BY_CONTENT["nc"]
@@ -205,8 +206,7 @@ NOT_READ = {
         vtkBMPReader vtkDEMReader vtkGESignaReader vtkHDRReader vtkJPEGReader vtkPNGReader vtkPNMReader vtkTGAReader""",
     "bytes whose sizes no header tells": "vtkImageReader vtkImageReader2 vtkVolume16Reader",
     "what only one program writes, with no small file of it to be had": """
-        vtkFLUENTCFFReader vtkMFIXReader vtkMPASReader vtkNetCDFCAMReader vtkTRUCHASReader
-        vtkVASPTessellationReader vtkVeraOutReader""",
+        vtkFLUENTCFFReader vtkMFIXReader vtkMPASReader vtkNetCDFCAMReader vtkTRUCHASReader vtkVeraOutReader""",
 }
 
 

@@ -127,6 +127,12 @@ def _kind_of_obj(path):
     return "MNI" if re.match(rb"[PL] ", head) or (head[:1] in (b"p", b"l") and b"\0" in head) else None
 
 
+def _kind_of_vasp(path):
+    """Both of VASP's begin with a time; that with the cells of atoms tells the lattice by names."""
+    with open(path, "rb") as file:
+        return "tessellation" if b"Rx1" in file.read(200) else None
+
+
 def _kind_of_xyz(path):
     """Of a molecule: how many atoms, a title, and of each atom its element and its place."""
     with open(path, encoding="utf-8", errors="replace") as file:
@@ -141,6 +147,7 @@ _KINDS = {
     "nc": _kind_of_netcdf,
     "ncdf": _kind_of_netcdf,
     "obj": _kind_of_obj,
+    "out": _kind_of_vasp,
     "xyz": _kind_of_xyz,
 }
 

@@ -322,6 +322,15 @@ def write_tileset(path):
     path.write_text(json.dumps({"asset": {"version": "1.0"}, "geometricError": 2, "root": root}))
 
 
+def write_tessellation(path):
+    """VASP's: atoms, and the cell of each, here of all the same corners and faces."""
+    corners = " ".join("({:g},{:g},{:g})".format(*corner) for corner in CORNERS)
+    faces = " ".join("({},{},{})".format(*face) for face in FACES)
+    atoms = "".join(f"{i}, ({x:g}, {y:g}, {z:g}), 1.0\n4, {corners}\n4, {faces}\n" for i, (x, y, z) in enumerate(CORNERS))
+    lattice = "Rx1 = 1, Rx2 = 0, Rx3 = 0, Ry2 = 1, Ry3 = 0, Rz3 = 1\n"
+    path.write_text(f"time = 0\n{lattice}Natoms = 4\nAtomic_Numbers =\n6,6,6,6\n{atoms}")
+
+
 def write_molecule(path):
     path.write_text("4\nfour\n" + rows("C {1} {2} {3}\n"))
 

@@ -329,6 +329,7 @@ OF_CONTENT = {
     ("nc", "SLAC particles"): small_files.write_slac_particles,
     ("nc", "UGRID"): small_files.write_ugrid,
     ("obj", "MNI"): lambda path: write(path, vtkMNIObjectWriter(), triangles()),
+    ("out", "tessellation"): small_files.write_tessellation,
     ("xyz", "molecule"): small_files.write_molecule,
 }
 HEIGHTS = {"amrex": "height", "hierarchy": "particle_height"}  # and not of Flash, whose values VTK mixes up
