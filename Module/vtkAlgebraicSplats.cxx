@@ -47,6 +47,8 @@ constexpr vtkIdType LeastNumberOfSide = 3;
 /// Where neighbours reach less far to one side than this share of how far they reach to the other,
 /// there is a border.
 constexpr double LargestShareAtBorder = 0.7;
+/// What lies between the points is no farther from one of them than this share of their spacing.
+constexpr double LargestGap = 0.75;
 /// No fewer neighbours of a point at a border are left than these.
 constexpr size_t LeastNumberAtBorders = 16;
 
@@ -129,7 +131,8 @@ private:
     const float* n = this->Normals->GetPointer(3 * id);
     return { n[0], n[1], n[2] };
   }
-  double GetRadiusFactor() const { return this->Filter->Overlap * this->Filter->Quality; }
+  vtkAlgebraicSplat Fit(vtkMovingLeastSquares& fitter, const Vector& center, const Vector& side,
+    double featureSize) const;
 
   vtkAlgebraicSplats* Filter;
   vtkPointSet* Input;
@@ -189,6 +192,22 @@ bool vtkAlgebraicSplats::Worker::Prepare()
   return !this->Filter->GetAbortExecute();
 }
 
+// The disc covers what the splat stands for and the gaps between these points and the next ones.
+vtkAlgebraicSplat vtkAlgebraicSplats::Worker::Fit(
+  vtkMovingLeastSquares& fitter, const Vector& center, const Vector& side, double featureSize) const
+{
+  const double overlapping = this->Filter->Overlap * this->Filter->Quality;
+  double radius = overlapping;
+  if (this->Filter->Selection == HOLE_FREE && this->Filter->Overlap > 1.0)
+  {
+    // of points spread evenly over a disc, whose mean distance from its centre is 1
+    const double spacing = 1.5 * std::sqrt(vtkMath::Pi() / this->Filter->NumberOfNeighbors);
+    radius = std::max(radius, this->Filter->Quality + LargestGap * spacing);
+  }
+  fitter.LimitedShare = overlapping / radius;
+  return fitter.Fit(center, side, featureSize, radius);
+}
+
 vtkAlgebraicSplat vtkAlgebraicSplats::Worker::FitAt(
   const Vector& center, const Vector& normal, double featureSize) const
 {
@@ -216,7 +235,7 @@ vtkAlgebraicSplat vtkAlgebraicSplats::Worker::FitAt(
       fitter.Neighbors.push_back(Subtract(GetPoint(this->Cloud, id), center));
     }
   }
-  vtkAlgebraicSplat splat = fitter.Fit(center, side, featureSize, this->GetRadiusFactor());
+  vtkAlgebraicSplat splat = this->Fit(fitter, center, side, featureSize);
   // at a border or on a tip, a smaller disc is less far over it
   while (
     featureSize == 0.0 && splat.Extrapolates && fitter.Neighbors.size() >= 2 * LeastNumberAtBorders)
@@ -224,7 +243,7 @@ vtkAlgebraicSplat vtkAlgebraicSplats::Worker::FitAt(
     std::sort(fitter.Neighbors.begin(), fitter.Neighbors.end(),
       [](const Vector& a, const Vector& b) { return Dot(a, a) < Dot(b, b); });
     fitter.Neighbors.resize(fitter.Neighbors.size() / 2);
-    splat = fitter.Fit(center, side, featureSize, this->GetRadiusFactor());
+    splat = this->Fit(fitter, center, side, featureSize);
   }
   const Vector shift = featureSize == 0.0 && this->Filter->ExtrapolationLimit > 0.0
     ? this->GetShiftFromBorder(fitter.Neighbors, splat)
@@ -235,8 +254,8 @@ vtkAlgebraicSplat vtkAlgebraicSplats::Worker::FitAt(
     {
       neighbor = Subtract(neighbor, shift);
     }
-    splat = fitter.Fit(Subtract(center, { -shift[0], -shift[1], -shift[2] }), side,
-      splat.FeatureSize, this->GetRadiusFactor());
+    splat = this->Fit(
+      fitter, Subtract(center, { -shift[0], -shift[1], -shift[2] }), side, splat.FeatureSize);
   }
   return splat;
 }

@@ -12,13 +12,14 @@
 
 namespace
 {
+/// A splat of this many times the cloud's diagonal is taken for a fault in the data.
+constexpr double LargestRadius = 100.0;
+
 /// The array if it has a tuple a point and that many components at least; else says why not.
-vtkDataArray* Require(
-  vtkPolyData* cloud, const char* name, int components, std::vector<std::string>& remarks)
+vtkDataArray* Require(vtkDataArray* array, const std::string& name, int components,
+  vtkIdType splats, std::vector<std::string>& remarks)
 {
-  vtkDataArray* array = cloud->GetPointData()->GetArray(name);
-  if (array && array->GetNumberOfTuples() == cloud->GetNumberOfPoints() &&
-    array->GetNumberOfComponents() >= components)
+  if (array && array->GetNumberOfTuples() == splats && array->GetNumberOfComponents() >= components)
   {
     return array;
   }
@@ -26,8 +27,8 @@ vtkDataArray* Require(
   if (array)
   {
     line << "Array '" << name << "' has " << array->GetNumberOfTuples() << " tuples of "
-         << array->GetNumberOfComponents() << " components for " << cloud->GetNumberOfPoints()
-         << " splats, where " << components << " components are needed";
+         << array->GetNumberOfComponents() << " components for " << splats << " splats, where "
+         << components << " components are needed";
   }
   else
   {
@@ -100,23 +101,34 @@ std::vector<vtkDrawableSplats::Range> vtkDrawableSplats::GetRanges(
   return ranges;
 }
 
-std::vector<std::string> vtkDrawableSplats::Build(
-  vtkPolyData* cloud, const std::vector<unsigned int>& ids, const std::array<double, 3>& origin)
+std::vector<std::string> vtkDrawableSplats::Build(vtkPolyData* cloud, vtkDataArray* normals,
+  const std::vector<unsigned int>& ids, const double bounds[6])
 {
   std::vector<std::string> remarks;
   for (auto& group : this->Groups)
   {
     group.clear();
   }
-  this->Origin = origin;
+  double diagonal = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    this->Origin[k] = 0.5 * (bounds[2 * k] + bounds[2 * k + 1]);
+    diagonal = std::hypot(diagonal, bounds[2 * k + 1] - bounds[2 * k]);
+  }
   this->Reach = 0.0;
   this->MeanRadius = 0.0;
-  vtkDataArray* coefficients = Require(cloud, "SplatCoefficients", 3, remarks);
-  vtkDataArray* orders = coefficients ? Require(cloud, "SplatOrder", 1, remarks) : nullptr;
-  vtkDataArray* axes = orders ? Require(cloud, "SplatAxes", 3, remarks) : nullptr;
-  vtkDataArray* radii = axes ? Require(cloud, "radius", 1, remarks) : nullptr;
-  vtkDataArray* normals = radii ? cloud->GetPointData()->GetNormals() : nullptr;
-  if (!normals)
+  auto require = [&](const char* name, int components)
+  {
+    return Require(
+      cloud->GetPointData()->GetArray(name), name, components, cloud->GetNumberOfPoints(), remarks);
+  };
+  vtkDataArray* coefficients = require("SplatCoefficients", 3);
+  vtkDataArray* orders = coefficients ? require("SplatOrder", 1) : nullptr;
+  vtkDataArray* axes = orders ? require("SplatAxes", 3) : nullptr;
+  vtkDataArray* radii = axes ? require("radius", 1) : nullptr;
+  if (!radii ||
+    !Require(normals, normals && normals->GetName() ? normals->GetName() : "Normals", 3,
+      cloud->GetNumberOfPoints(), remarks))
   {
     return remarks;
   }
@@ -147,10 +159,11 @@ std::vector<std::string> vtkDrawableSplats::Build(
     splat.Radius = static_cast<float>(radii->GetTuple1(id));
     bool sound = order >= 1.0 && order <= vtkAlgebraicSplat::MaximumOrder &&
       vtkAlgebraicSplat::GetNumberOfCoefficients(static_cast<int>(order)) <= components &&
-      splat.Radius > 0.0f && std::isfinite(splat.Radius);
+      splat.Radius > 0.0f && std::isfinite(splat.Radius) &&
+      (diagonal == 0.0 || splat.Radius <= LargestRadius * diagonal);
     for (int k = 0; k < 3; ++k)
     {
-      splat.Center[k] = static_cast<float>(x[k] - origin[k]);
+      splat.Center[k] = static_cast<float>(x[k] - this->Origin[k]);
       splat.U[k] = static_cast<float>(u[k]);
       splat.V[k] = static_cast<float>(v[k]);
       splat.Normal[k] = static_cast<float>(n[k]);
@@ -178,10 +191,13 @@ std::vector<std::string> vtkDrawableSplats::Build(
   if (faulty > 0)
   {
     std::ostringstream line;
-    line << faulty << " of " << count << " splats (the first is point " << first
-         << ") are not drawn: 'SplatOrder' has to be 1 to 4 with as many 'SplatCoefficients' as it "
-            "takes, 'radius' positive, 'SplatAxes' across the normals, and all of them finite. "
-            "Make them with vtkAlgebraicSplats.";
+    line
+      << faulty << " of " << count << " splats (the first is point " << first
+      << ") are not drawn: 'SplatOrder' has to be 1 to 4 with as many 'SplatCoefficients' as it "
+         "takes, 'radius' positive and no more than "
+      << LargestRadius
+      << " times the cloud's diagonal, normals other than 0, 'SplatAxes' across them, and all of "
+         "these finite. Make them with vtkAlgebraicSplats.";
     remarks.push_back(line.str());
   }
   return remarks;

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataArray;
 class vtkPolyData;
 
 class vtkDrawableSplats
@@ -36,12 +37,12 @@ public:
   };
 
   /**
-   * Reads `cloud`, of which the points `ids` (if empty, all) are to be drawn, `origin` being amid
-   * them. Returns what has to be said of the data, a line each; empty if there is nothing. Where an
-   * array is missing or of a wrong form, nothing is drawn.
+   * Reads `cloud`, of which the points `ids` (if empty, all) are to be drawn, within `bounds`, with
+   * the `normals` of its points. Returns what has to be said of the data, a line each; empty if
+   * there is nothing. Where an array is missing or of a wrong form, nothing is drawn.
    */
-  std::vector<std::string> Build(
-    vtkPolyData* cloud, const std::vector<unsigned int>& ids, const std::array<double, 3>& origin);
+  std::vector<std::string> Build(vtkPolyData* cloud, vtkDataArray* normals,
+    const std::vector<unsigned int>& ids, const double bounds[6]);
 
   /**
    * The splats of an order, 1 to 4.

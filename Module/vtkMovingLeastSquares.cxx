@@ -70,8 +70,10 @@ void SetTerms(Row&& row, int order, double u, double v, double factor)
   }
 }
 
-/// The largest factor, on the rim of the disc, from an error of the heights to one of the fit.
-double GetAmplification(const Decomposition& qr, const Eigen::VectorXd& sizes, int order)
+/// The largest factor, on a circle around the centre, from an error of the heights to one of the
+/// fit.
+double GetAmplification(
+  const Decomposition& qr, const Eigen::VectorXd& sizes, int order, double radius)
 {
   constexpr int Directions = 16;
   const Eigen::Index count = sizes.size();
@@ -82,7 +84,7 @@ double GetAmplification(const Decomposition& qr, const Eigen::VectorXd& sizes, i
   for (int i = 0; i < Directions; ++i)
   {
     const double angle = 2.0 * EIGEN_PI * i / Directions;
-    SetTerms(terms, order, std::cos(angle), std::sin(angle), 1.0);
+    SetTerms(terms, order, radius * std::cos(angle), radius * std::sin(angle), 1.0);
     const Eigen::VectorXd scaled = qr.colsPermutation().transpose() * terms.cwiseQuotient(sizes);
     largest = std::max(largest, upper.transpose().solve(scaled).norm());
   }
@@ -211,7 +213,7 @@ void vtkMovingLeastSquares::FitPolynomial(vtkAlgebraicSplat& splat) const
       }
       splat.RankDeficient = splat.RankDeficient && lower < order;
       if (this->ExtrapolationLimit > 0.0 && lower > 1 &&
-        GetAmplification(qr, sizes, lower) > this->ExtrapolationLimit)
+        GetAmplification(qr, sizes, lower, this->LimitedShare) > this->ExtrapolationLimit)
       {
         splat.RankDeficient = false;
         splat.Extrapolates = true;

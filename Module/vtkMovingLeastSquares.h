@@ -28,6 +28,7 @@ public:
   int Order = 3;                   ///< highest order of the polynomial, 1 to 4
   double Tolerance = 0.0;          ///< over 0: the lowest order whose residual is not above it
   double ExtrapolationLimit = 0.0; ///< see vtkAlgebraicSplats; 0: none
+  double LimitedShare = 1.0;       ///< of the disc's radius, up to which that limit holds
 
   /**
    * What is fitted, relative to the point; the neighbours of one point.

@@ -7,6 +7,7 @@
 #include "vtkContextNeeds.h"
 #include "vtkDrawablePoints.h"
 #include "vtkDrawableSplats.h"
+#include "vtkJointSurface.h"
 #include "vtkPointBlocks.h"
 #include "vtkPointSurfaceView.h"
 #include "vtkSurfacePixels.h"
@@ -106,11 +107,12 @@ void vtkAlgebraicSplatMapper::GetReach(double& mean, double& largest) const
 namespace
 {
 /// When what splats are made of last changed; times are unique.
-std::vector<vtkMTimeType> GetTimes(const vtkDrawablePoints& points)
+std::vector<vtkMTimeType> GetTimes(const vtkDrawablePoints& points, vtkDataArray* normals)
 {
   vtkPolyData* cloud = points.GetCloud();
   std::vector<vtkMTimeType> times = { cloud->GetPoints()->GetData()->GetMTime(),
-    points.GetDrawnIdsTime(), static_cast<vtkMTimeType>(points.GetNumberOfDrawnPoints()) };
+    points.GetDrawnIdsTime(), static_cast<vtkMTimeType>(points.GetNumberOfDrawnPoints()),
+    normals ? normals->GetMTime() : 0 };
   for (const char* name : { "SplatCoefficients", "SplatOrder", "SplatAxes", "radius" })
   {
     vtkDataArray* array = cloud->GetPointData()->GetArray(name);
@@ -125,25 +127,21 @@ void vtkAlgebraicSplatMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor
   this->Superclass::BuildBufferObjects(renderer, actor);
   vtkInternals& internals = *this->Internals;
   const vtkDrawablePoints& points = this->GetDrawablePoints();
-  const std::vector<vtkMTimeType> source = GetTimes(points);
+  // a splat's normal is an axis of its frame: no estimate can stand in for it
+  vtkDataArray* normals = this->GetBlocks().GetCloud()->GetPointData()->GetNormals();
+  const std::vector<vtkMTimeType> source = GetTimes(points, normals);
   if (internals.SplatsSource == source)
   {
     return;
   }
   internals.SplatsSource = source;
   internals.SplatsTime.Modified();
-  const double* bounds = points.GetBounds();
-  std::array<double, 3> middle;
-  for (int k = 0; k < 3; ++k)
-  {
-    middle[k] = 0.5 * (bounds[2 * k] + bounds[2 * k + 1]);
-  }
   if (points.GetNumberOfDrawnPoints() == 0)
   {
     return; // the base class has said why
   }
   for (const std::string& remark :
-    internals.Splats.Build(points.GetCloud(), points.GetDrawnIds(), middle))
+    internals.Splats.Build(points.GetCloud(), normals, points.GetDrawnIds(), points.GetBounds()))
   {
     if (internals.Splats.GetNumberOfSplats() == 0)
     {
@@ -166,8 +164,7 @@ std::string vtkAlgebraicSplatMapper::FindLackOfOpenGL()
                       : lack;
 }
 
-void vtkAlgebraicSplatMapper::MakeSurfaceBuffer(
-  vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& surface)
+void vtkAlgebraicSplatMapper::UploadSplats(vtkOpenGLRenderWindow* window, bool colors)
 {
   vtkInternals& internals = *this->Internals;
   size_t bytes = 0;
@@ -177,8 +174,7 @@ void vtkAlgebraicSplatMapper::MakeSurfaceBuffer(
     bytes += internals.Tracing.Upload(window, internals.Splats);
     internals.UploadedTime = internals.SplatsTime.GetMTime();
   }
-  if (surface.Has(vtkSurfaceTarget::Color) &&
-    (isNew || internals.UploadedColorsTime != this->GetPointColorsTime()))
+  if (colors && (isNew || internals.UploadedColorsTime != this->GetPointColorsTime()))
   {
     bytes += internals.Tracing.UploadColors(
       window, internals.Splats, [this](unsigned int id) { return this->GetPointColor(id); },
@@ -186,22 +182,54 @@ void vtkAlgebraicSplatMapper::MakeSurfaceBuffer(
     internals.UploadedColorsTime = this->GetPointColorsTime();
   }
   this->LastFrameBytesUploaded += static_cast<vtkIdType>(bytes);
-  internals.Tracing.Run(window, internals.Splats, view, this->GetOptions(), surface);
-  this->LastFramePointsDrawn += view.GetNumberOfPoints();
-  this->LastFramePasses = internals.Tracing.GetPasses();
+}
+
+void vtkAlgebraicSplatMapper::MakeSurfaceBuffer(
+  vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& surface)
+{
+  std::vector<vtkAlgebraicSplatTracingOpenGL::Cloud> clouds;
+  for (const vtkJointSurface::Member& member : this->GetMembers())
+  {
+    auto* mapper = static_cast<vtkAlgebraicSplatMapper*>(member.Mapper);
+    vtkAlgebraicSplatTracingOpenGL::Cloud cloud;
+    cloud.Uploaded = &mapper->Internals->Tracing;
+    cloud.Splats = &mapper->Internals->Splats;
+    cloud.View = member.GetView(view);
+    cloud.FirstId = member.FirstId;
+    cloud.HasColors = member.HasColors;
+    cloud.Color = member.Color;
+    mapper->UploadSplats(window, surface.Has(vtkSurfaceTarget::Color) && cloud.HasColors);
+    mapper->LastFramePointsDrawn += cloud.View.GetNumberOfPoints();
+    clouds.push_back(cloud);
+  }
+  vtkAlgebraicSplatTracingOpenGL& tracing = this->Internals->Tracing;
+  tracing.Run(window, clouds, view, this->GetOptions(), surface);
+  this->LastFramePasses = tracing.GetPasses();
 }
 
 void vtkAlgebraicSplatMapper::MakeSurfacePixels(
   const vtkPointSurfaceView& view, bool ids, bool colors, vtkSurfacePixels& surface)
 {
-  vtkInternals& internals = *this->Internals;
-  vtkAlgebraicSplatTracingCPU::ColorSource color;
-  if (colors)
+  std::vector<vtkAlgebraicSplatTracingCPU::Cloud> clouds;
+  for (const vtkJointSurface::Member& member : this->GetMembers())
   {
-    color = [this](unsigned int id) { return this->GetPointColor(id); };
+    auto* mapper = static_cast<vtkAlgebraicSplatMapper*>(member.Mapper);
+    vtkAlgebraicSplatTracingCPU::Cloud cloud;
+    cloud.Splats = &mapper->Internals->Splats;
+    cloud.View = member.GetView(view);
+    cloud.FirstId = member.FirstId;
+    if (member.HasColors)
+    {
+      cloud.Color = [mapper](unsigned int id) { return mapper->GetPointColor(id); };
+    }
+    else
+    {
+      cloud.Color = [color = member.Color](unsigned int) { return color; };
+    }
+    mapper->LastFramePointsDrawn += cloud.View.GetNumberOfPoints();
+    clouds.push_back(cloud);
   }
-  vtkAlgebraicSplatTracingCPU::Run(internals.Splats, view, this->GetOptions(), ids, color, surface);
-  this->LastFramePointsDrawn += view.GetNumberOfPoints();
+  vtkAlgebraicSplatTracingCPU::Run(clouds, view, this->GetOptions(), ids, colors, surface);
   this->LastFramePasses = 1;
 }
 

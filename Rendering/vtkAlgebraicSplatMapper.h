@@ -98,6 +98,7 @@ private:
   void operator=(const vtkAlgebraicSplatMapper&) = delete;
 
   vtkAlgebraicSplatOptions GetOptions() const;
+  void UploadSplats(vtkOpenGLRenderWindow* window, bool colors); // what has changed
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

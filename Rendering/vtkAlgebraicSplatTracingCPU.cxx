@@ -21,6 +21,7 @@
 namespace
 {
 using Splat = vtkDrawableSplats::Splat;
+using Cloud = vtkAlgebraicSplatTracingCPU::Cloud;
 using Vector = std::array<double, 3>;
 
 constexpr int TileSize = 32;
@@ -59,6 +60,7 @@ Linear Combine(const Vector& factors, const std::array<Linear, 3>& numbers)
 struct TracedSplat
 {
   const Splat* Source = nullptr;
+  const Cloud* Of = nullptr;
   int Order = 1;
   std::array<Linear, 3> Start; // of the ray, in the splat's frame in units of its disc
   std::array<Linear, 3> Step;
@@ -67,7 +69,9 @@ struct TracedSplat
   float Nearest = 0.0f;                        // depth that no part of it is before
   float Unit = 0.0f;                           // of depth along the ray, of the size of the disc
   bool Clipped = false;                        // some plane may cut it
-  std::array<int, 4> Bounds{};                 // x, y, x end, y end in pixels; empty: not seen
+  bool CullFront = false;                      // as its cloud's view has it
+  bool CullBack = false;
+  std::array<int, 4> Bounds{}; // x, y, x end, y end in pixels; empty: not seen
 };
 
 struct Hit
@@ -77,7 +81,7 @@ struct Hit
   float Depth;
   float Square; // of the distance from the centre, in units of the disc
   std::array<float, 3> Normal;
-  const Splat* Source;
+  const TracedSplat* Splat;
 };
 
 /// The polynomial of the splat less the ray's height, over the ray from (u, v, n) on by (du, dv,
@@ -113,12 +117,12 @@ vtkPolynomialRoots::Polynomial<Order, double> Compose(
 class Placer
 {
 public:
-  Placer(const vtkPointSurfaceView& view, const vtkAlgebraicSplatTransform& transform)
+  Placer(const vtkPointSurfaceView& view, const std::array<double, 3>& origin)
     : View(view)
-    , Transform(transform)
+    , Transform(view, origin)
   {
-    const auto& first = transform.Rays.First;
-    const auto& step = transform.Rays.Step;
+    const auto& first = this->Transform.Rays.First;
+    const auto& step = this->Transform.Rays.Step;
     auto make = [&](int k, int axis) -> Linear
     {
       Linear numbers = { first[k] + 0.5 * step[k], 0.0, 0.0 };
@@ -129,8 +133,8 @@ public:
     this->Position = { make(2, 0), make(3, 1), Linear{} };
     for (int i = 0; i < 3; ++i)
     {
-      this->Direction[0][i] -= transform.Rays.Shear * this->Direction[1][i];
-      this->Position[0][i] -= transform.Rays.Shear * this->Position[1][i];
+      this->Direction[0][i] -= this->Transform.Rays.Shear * this->Direction[1][i];
+      this->Position[0][i] -= this->Transform.Rays.Shear * this->Position[1][i];
     }
   }
 
@@ -146,7 +150,6 @@ public:
     return distance;
   }
   const std::vector<std::array<double, 4>>& GetPlanes() const { return this->Transform.Planes; }
-  int GetCull() const { return this->View.Cull; }
 
 private:
   Vector ToEye(const std::array<float, 3>& v, double scale) const
@@ -177,7 +180,7 @@ private:
     const Vector& center, const Vector& u, const Vector& v, const Vector& n, const Splat&) const;
 
   const vtkPointSurfaceView& View;
-  const vtkAlgebraicSplatTransform& Transform;
+  const vtkAlgebraicSplatTransform Transform;
   std::array<Linear, 3> Direction; // of rays, a unit of depth
   std::array<Linear, 3> Position;  // of rays, at the eye's depth
 };
@@ -187,6 +190,8 @@ TracedSplat Placer::Place(const Splat& splat, int order) const
   TracedSplat placed;
   placed.Source = &splat;
   placed.Order = order;
+  placed.CullFront = this->View.Cull == vtkPointSurfaceView::FrontfaceCulling;
+  placed.CullBack = this->View.Cull == vtkPointSurfaceView::BackfaceCulling;
   const Vector u = this->ToEye(splat.U, splat.Radius);
   const Vector v = this->ToEye(splat.V, splat.Radius);
   const Vector n = this->ToEye(splat.Normal, splat.Radius);
@@ -273,17 +278,13 @@ std::array<int, 4> Placer::GetBounds(
 struct Scene
 {
   const Placer& Rays;
-  float Shift; // what is farther than the visible depth times this is hidden
-  bool CullFront;
-  bool CullBack;
+  float Shift;         // what is farther than the visible depth times this is hidden
   float DirectionX[3]; // of rays, as Linear
   float DirectionY[3];
 
   Scene(const Placer& rays, const vtkAlgebraicSplatOptions& options)
     : Rays(rays)
     , Shift(static_cast<float>(1.0 + options.DepthShift))
-    , CullFront(rays.GetCull() == vtkPointSurfaceView::FrontfaceCulling)
-    , CullBack(rays.GetCull() == vtkPointSurfaceView::BackfaceCulling)
   {
     for (int i = 0; i < 3; ++i)
     {
@@ -738,7 +739,7 @@ VTK_POINT_SURFACE_INLINE void TraceSplat(
         const float size = std::sqrt(nx * nx + ny * ny + nz * nz);
         const float facing = nx * (directionX + i * ofX[1]) + ny * (directionY + i * ofY[1]) - nz;
         const bool isFront = facing < 0.0f;
-        const bool culled = isFront ? scene.CullFront : scene.CullBack;
+        const bool culled = isFront ? splat.CullFront : splat.CullBack;
         normal[0][i] = nx / size;
         normal[1][i] = ny / size;
         normal[2][i] = nz / size;
@@ -755,9 +756,8 @@ VTK_POINT_SURFACE_INLINE void TraceSplat(
         if (found[i])
         {
           const int pixel = (y - area[1]) * TileSize + x - area[0] + i;
-          tile.Hits.push_back(
-            { static_cast<std::uint16_t>(pixel), front[i] != 0, depth[i], u[i] * u[i] + v[i] * v[i],
-              { normal[0][i], normal[1][i], normal[2][i] }, splat.Source });
+          tile.Hits.push_back({ static_cast<std::uint16_t>(pixel), front[i] != 0, depth[i],
+            u[i] * u[i] + v[i] * v[i], { normal[0][i], normal[1][i], normal[2][i] }, &splat });
         }
       }
     }
@@ -799,12 +799,10 @@ class Tiles
 {
 public:
   Tiles(const Scene& scene, const vtkAlgebraicSplatOptions& options,
-    const std::vector<TracedSplat>& splats, const vtkAlgebraicSplatTracingCPU::ColorSource& color,
-    vtkSurfacePixels& surface)
+    const std::vector<TracedSplat>& splats, vtkSurfacePixels& surface)
     : MyScene(scene)
     , Options(options)
     , Splats(splats)
-    , Color(color)
     , Surface(surface)
   {
     const auto& r = surface.Rectangle;
@@ -892,7 +890,7 @@ private:
       sum.Weight += weight;
       if (!this->Surface.Color.empty())
       {
-        const std::array<float, 4> color = this->Color(hit.Source->Id);
+        const std::array<float, 4> color = hit.Splat->Of->Color(hit.Splat->Source->Id);
         for (int k = 0; k < 4; ++k)
         {
           sum.Color[k] += weight * color[k];
@@ -901,7 +899,7 @@ private:
       if (weight > sum.Heaviest)
       {
         sum.Heaviest = weight;
-        sum.Id = hit.Source->Id + 1;
+        sum.Id = static_cast<unsigned int>(hit.Splat->Of->FirstId) + hit.Splat->Source->Id + 1;
       }
     }
 
@@ -935,28 +933,19 @@ private:
   const Scene& MyScene;
   const vtkAlgebraicSplatOptions& Options;
   const std::vector<TracedSplat>& Splats;
-  const vtkAlgebraicSplatTracingCPU::ColorSource& Color;
   vtkSurfacePixels& Surface;
   int Columns = 0;
   int Rows = 0;
   std::vector<std::vector<int>> Lists; // of splats, by tile
 };
-}
 
-void vtkAlgebraicSplatTracingCPU::Run(const vtkDrawableSplats& splats,
-  const vtkPointSurfaceView& view, const vtkAlgebraicSplatOptions& options, bool ids,
-  const ColorSource& color, vtkSurfacePixels& surface)
+void Place(const Cloud& cloud, std::vector<TracedSplat>& placed)
 {
-  const auto& r = view.Rectangle;
-  surface.Allocate({ r[0], r[1], r[0] + r[2], r[1] + r[3] }, ids, static_cast<bool>(color));
-  const vtkAlgebraicSplatTransform transform(view, splats.GetOrigin());
-  const Placer placer(view, transform);
-  std::vector<TracedSplat> placed;
-  placed.reserve(splats.GetNumberOfSplats());
+  const Placer placer(cloud.View, cloud.Splats->GetOrigin());
   for (int order = 1; order <= vtkAlgebraicSplat::MaximumOrder; ++order)
   {
-    const std::vector<Splat>& group = splats.GetSplats(order);
-    for (const vtkDrawableSplats::Range& range : splats.GetRanges(order, view.Ranges))
+    const std::vector<Splat>& group = cloud.Splats->GetSplats(order);
+    for (const vtkDrawableSplats::Range& range : cloud.Splats->GetRanges(order, cloud.View.Ranges))
     {
       const vtkIdType first = static_cast<vtkIdType>(placed.size()) - range[0];
       placed.resize(placed.size() + range[1] - range[0]);
@@ -966,13 +955,29 @@ void vtkAlgebraicSplatTracingCPU::Run(const vtkDrawableSplats& splats,
           for (vtkIdType i = begin; i < end; ++i)
           {
             placed[first + i] = placer.Place(group[i], order);
+            placed[first + i].Of = &cloud;
           }
         });
     }
   }
+}
+}
 
-  const Scene scene(placer, options);
-  Tiles tiles(scene, options, placed, color, surface);
+void vtkAlgebraicSplatTracingCPU::Run(const std::vector<Cloud>& clouds,
+  const vtkPointSurfaceView& view, const vtkAlgebraicSplatOptions& options, bool ids, bool colors,
+  vtkSurfacePixels& surface)
+{
+  const auto& r = view.Rectangle;
+  surface.Allocate({ r[0], r[1], r[0] + r[2], r[1] + r[3] }, ids, colors);
+  std::vector<TracedSplat> placed;
+  for (const Cloud& cloud : clouds)
+  {
+    Place(cloud, placed);
+  }
+
+  const Placer rays(clouds.front().View, clouds.front().Splats->GetOrigin());
+  const Scene scene(rays, options);
+  Tiles tiles(scene, options, placed, surface);
   vtkSMPThreadLocal<TileHits> hits;
   vtkSMPTools::For(0, tiles.GetNumberOfTiles(), 4,
     [&](vtkIdType begin, vtkIdType end)

@@ -9,12 +9,16 @@
 #ifndef vtkAlgebraicSplatTracingCPU_h
 #define vtkAlgebraicSplatTracingCPU_h
 
+#include "vtkPointSurfaceView.h"
+
+#include "vtkType.h"
+
 #include <array>
 #include <functional>
+#include <vector>
 
 class vtkDrawableSplats;
 struct vtkAlgebraicSplatOptions;
-struct vtkPointSurfaceView;
 struct vtkSurfacePixels;
 
 class vtkAlgebraicSplatTracingCPU
@@ -22,13 +26,20 @@ class vtkAlgebraicSplatTracingCPU
 public:
   using ColorSource = std::function<std::array<float, 4>(unsigned int)>;
 
+  struct Cloud
+  {
+    const vtkDrawableSplats* Splats = nullptr;
+    vtkPointSurfaceView View; ///< those in its ranges are drawn
+    vtkIdType FirstId = 0;    ///< added to the ids of the splats' points
+    ColorSource Color;        ///< of a splat's point
+  };
+
   /**
-   * Makes the pixels of the view's rectangle from the splats in its ranges, with ids if asked, and
-   * colours if `color` tells that of a splat's point.
+   * Makes the pixels of the view's rectangle from clouds that share its eye and its clipping
+   * planes, with ids and colours if asked.
    */
-  static void Run(const vtkDrawableSplats& splats, const vtkPointSurfaceView& view,
-    const vtkAlgebraicSplatOptions& options, bool ids, const ColorSource& color,
-    vtkSurfacePixels& surface);
+  static void Run(const std::vector<Cloud>& clouds, const vtkPointSurfaceView& view,
+    const vtkAlgebraicSplatOptions& options, bool ids, bool colors, vtkSurfacePixels& surface);
 };
 
 #endif

@@ -76,7 +76,6 @@ void vtkAlgebraicSplatTracingOpenGL::ReleaseGraphicsResources(vtkWindow* window)
     group.Buffer->ReleaseGraphicsResources();
     group.Colors->ReleaseGraphicsResources(window);
     group.ColorBuffer->ReleaseGraphicsResources();
-    group.Ranges.clear();
   }
   for (vtkSurfaceTarget* target : { &this->Visible, &this->Sums, &this->Ids })
   {
@@ -174,14 +173,9 @@ size_t vtkAlgebraicSplatTracingOpenGL::UploadColors(vtkOpenGLRenderWindow* windo
 
 //------------------------------------------------------------------------------
 void vtkAlgebraicSplatTracingOpenGL::Run(vtkOpenGLRenderWindow* window,
-  const vtkDrawableSplats& splats, const vtkPointSurfaceView& view,
+  const std::vector<Cloud>& clouds, const vtkPointSurfaceView& view,
   const vtkAlgebraicSplatOptions& options, vtkSurfaceTarget& surface)
 {
-  for (int order = 1; order <= vtkAlgebraicSplat::MaximumOrder; ++order)
-  {
-    this->Groups[order - 1].Ranges = splats.GetRanges(order, view.Ranges);
-  }
-  const vtkAlgebraicSplatTransform transform(view, this->Origin);
   vtkOpenGLState* state = window->GetState();
   const int width = view.Size[0];
   const int height = view.Size[1];
@@ -198,9 +192,9 @@ void vtkAlgebraicSplatTracingOpenGL::Run(vtkOpenGLRenderWindow* window,
     state->vtkglEnable(GL_BLEND);
     state->vtkglBlendFunc(GL_ONE, GL_ONE);
     state->vtkglBlendEquation(GL_MAX);
-    this->DrawSplats(window, view, transform, options, nullptr, this->Visible);
+    this->DrawClouds(window, clouds, view, options, nullptr, this->Visible);
     state->vtkglBlendEquation(GL_FUNC_ADD);
-    this->DrawSplats(window, view, transform, options, &this->Visible, this->Sums);
+    this->DrawClouds(window, clouds, view, options, &this->Visible, this->Sums);
     state->vtkglDisable(GL_BLEND);
   }
   if (surface.Has(vtkSurfaceTarget::Id))
@@ -209,15 +203,15 @@ void vtkAlgebraicSplatTracingOpenGL::Run(vtkOpenGLRenderWindow* window,
     state->vtkglEnable(GL_DEPTH_TEST);
     state->vtkglDepthMask(GL_TRUE);
     state->vtkglDepthFunc(GL_LESS);
-    this->DrawSplats(window, view, transform, options, &this->Visible, this->Ids);
+    this->DrawClouds(window, clouds, view, options, &this->Visible, this->Ids);
     state->vtkglDisable(GL_DEPTH_TEST);
   }
   ++this->Passes;
   this->Mean.Run(window, view.Rectangle, this->Sums, this->Ids, surface);
 }
 
-void vtkAlgebraicSplatTracingOpenGL::DrawSplats(vtkOpenGLRenderWindow* window,
-  const vtkPointSurfaceView& view, const vtkAlgebraicSplatTransform& transform,
+void vtkAlgebraicSplatTracingOpenGL::DrawClouds(vtkOpenGLRenderWindow* window,
+  const std::vector<Cloud>& clouds, const vtkPointSurfaceView& view,
   const vtkAlgebraicSplatOptions& options, vtkSurfaceTarget* visible, vtkSurfaceTarget& target)
 {
   ++this->Passes;
@@ -231,10 +225,26 @@ void vtkAlgebraicSplatTracingOpenGL::DrawSplats(vtkOpenGLRenderWindow* window,
     visible->Activate();
   }
   this->VertexArray->Bind();
+  for (const Cloud& cloud : clouds)
+  {
+    DrawSplats(window, cloud, options, visible, target);
+  }
+  this->VertexArray->Release();
+  if (visible)
+  {
+    visible->Deactivate();
+  }
+}
+
+void vtkAlgebraicSplatTracingOpenGL::DrawSplats(vtkOpenGLRenderWindow* window, const Cloud& cloud,
+  const vtkAlgebraicSplatOptions& options, vtkSurfaceTarget* visible, vtkSurfaceTarget& target)
+{
+  const vtkAlgebraicSplatTransform transform(cloud.View, cloud.Uploaded->Origin);
   for (int order = 1; order <= vtkAlgebraicSplat::MaximumOrder; ++order)
   {
-    Group& group = this->Groups[order - 1];
-    if (group.Ranges.empty())
+    Group& group = cloud.Uploaded->Groups[order - 1];
+    const auto ranges = cloud.Splats->GetRanges(order, cloud.View.Ranges);
+    if (ranges.empty())
     {
       continue;
     }
@@ -249,7 +259,7 @@ void vtkAlgebraicSplatTracingOpenGL::DrawSplats(vtkOpenGLRenderWindow* window,
     {
       break;
     }
-    SetView(program, view, transform);
+    SetView(program, cloud.View, transform);
     program->SetUniformf("depthShift", static_cast<float>(options.DepthShift));
     program->SetUniformf("weightFalloff", static_cast<float>(options.WeightFalloff));
     program->SetUniformi("separateSides", options.SeparateSides);
@@ -260,13 +270,23 @@ void vtkAlgebraicSplatTracingOpenGL::DrawSplats(vtkOpenGLRenderWindow* window,
     }
     group.Texels->Activate();
     program->SetUniformi("splats", group.Texels->GetTextureUnit());
-    const bool colored = target.Has(vtkSurfaceTarget::Color);
-    if (colored)
+    if (target.Has(vtkSurfaceTarget::Id))
     {
-      group.Colors->Activate();
-      program->SetUniformi("colors", group.Colors->GetTextureUnit());
+      program->SetUniformi("firstId", static_cast<int>(cloud.FirstId));
     }
-    for (const auto& range : group.Ranges)
+    const bool colored = target.Has(vtkSurfaceTarget::Color) && cloud.HasColors;
+    if (target.Has(vtkSurfaceTarget::Color))
+    {
+      if (colored)
+      {
+        group.Colors->Activate();
+      }
+      // what is not looked up has to lead to a buffer all the same
+      program->SetUniformi("colors", (colored ? group.Colors : group.Texels)->GetTextureUnit());
+      program->SetUniformi("hasColors", colored);
+      program->SetUniform4f("color", cloud.Color.data());
+    }
+    for (const auto& range : ranges)
     {
       program->SetUniformi("first", static_cast<int>(range[0]));
       glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(range[1] - range[0]));
@@ -276,10 +296,5 @@ void vtkAlgebraicSplatTracingOpenGL::DrawSplats(vtkOpenGLRenderWindow* window,
       group.Colors->Deactivate();
     }
     group.Texels->Deactivate();
-  }
-  this->VertexArray->Release();
-  if (visible)
-  {
-    visible->Deactivate();
   }
 }

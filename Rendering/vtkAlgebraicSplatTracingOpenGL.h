@@ -12,6 +12,7 @@
 #define vtkAlgebraicSplatTracingOpenGL_h
 
 #include "vtkAlgebraicSplat.h"
+#include "vtkPointSurfaceView.h"
 #include "vtkSplatMeanOpenGL.h"
 #include "vtkSurfaceTarget.h"
 
@@ -31,8 +32,6 @@ class vtkShaderProgram;
 class vtkTextureObject;
 class vtkWindow;
 struct vtkAlgebraicSplatOptions;
-struct vtkAlgebraicSplatTransform;
-struct vtkPointSurfaceView;
 
 class vtkAlgebraicSplatTracingOpenGL
 {
@@ -57,11 +56,21 @@ public:
     const ColorSource& color, bool inBytes);
   ///@}
 
+  struct Cloud
+  {
+    vtkAlgebraicSplatTracingOpenGL* Uploaded = nullptr; ///< what the splats were uploaded to
+    const vtkDrawableSplats* Splats = nullptr;
+    vtkPointSurfaceView View;     ///< those in its ranges are drawn
+    vtkIdType FirstId = 0;        ///< added to the ids of the splats' points
+    bool HasColors = false;       ///< that were uploaded
+    std::array<float, 4> Color{}; ///< without colours
+  };
+
   /**
-   * Fills `surface` within the view's rectangle from those of the uploaded splats that are in the
-   * view's ranges. It has the layer Color only if their colours were uploaded.
+   * Fills `surface` within the view's rectangle from clouds that share its eye and its clipping
+   * planes.
    */
-  void Run(vtkOpenGLRenderWindow* window, const vtkDrawableSplats& splats,
+  void Run(vtkOpenGLRenderWindow* window, const std::vector<Cloud>& clouds,
     const vtkPointSurfaceView& view, const vtkAlgebraicSplatOptions& options,
     vtkSurfaceTarget& surface);
 
@@ -78,17 +87,18 @@ private:
 
   struct Group
   {
-    std::vector<std::array<vtkIdType, 2>> Ranges; // of splats that are drawn
-    int Stride = 0;                               // texels a splat
+    int Stride = 0; // texels a splat
     vtkNew<vtkOpenGLBufferObject> Buffer;
     vtkNew<vtkTextureObject> Texels;
     vtkNew<vtkOpenGLBufferObject> ColorBuffer;
     vtkNew<vtkTextureObject> Colors;
   };
 
-  void DrawSplats(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
-    const vtkAlgebraicSplatTransform& transform, const vtkAlgebraicSplatOptions& options,
+  void DrawClouds(vtkOpenGLRenderWindow* window, const std::vector<Cloud>& clouds,
+    const vtkPointSurfaceView& view, const vtkAlgebraicSplatOptions& options,
     vtkSurfaceTarget* visible, vtkSurfaceTarget& target);
+  static void DrawSplats(vtkOpenGLRenderWindow* window, const Cloud& cloud,
+    const vtkAlgebraicSplatOptions& options, vtkSurfaceTarget* visible, vtkSurfaceTarget& target);
 
   std::array<Group, vtkAlgebraicSplat::MaximumOrder> Groups;
   std::array<double, 3> Origin{};

@@ -180,7 +180,6 @@ protected:
   double GetNeededSamplingQuantile() const override { return this->SamplingQuantile; }
   void MakeSurfaceBuffer(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
     vtkSurfaceTarget& surface) override;
-  bool HasJointForm() const override { return true; }
   bool HasCPUForm() const override { return true; }
   void MakeSurfacePixels(
     const vtkPointSurfaceView& view, bool ids, bool colors, vtkSurfacePixels& surface) override;

@@ -203,7 +203,6 @@ protected:
 
   void MakeSurfaceBuffer(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
     vtkSurfaceTarget& surface) override;
-  bool HasJointForm() const override { return true; }
   bool HasCPUForm() const override { return true; }
   double GetRim() const override { return 2.0; } // what fills may take their values from
   void MakeSurfacePixels(

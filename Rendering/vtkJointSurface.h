@@ -24,43 +24,45 @@ class vtkActor;
 class vtkPointSurfaceMapper;
 struct vtkSurfaceBuffer;
 
+/// A cloud, as its mapper would draw it.
+struct vtkJointSurfaceMember
+{
+  vtkPointSurfaceMapper* Mapper = nullptr;
+  vtkActor* Actor = nullptr;
+  vtkPointSurfaceView View;
+  bool HasColors = false;
+  bool HasDuplicates = false;   ///< see vtkDuplicatePoints
+  std::array<float, 4> Color{}; ///< of a cloud without colours, where it borders on others
+  vtkIdType NumberOfPoints = 0;
+  vtkIdType FirstId = 0; ///< of its points among those of all members
+  /// Ids, from the first on, whose pixels this member shades; none where an earlier one does it.
+  vtkIdType ShadedIds = 0;
+  std::array<int, 4> ShadedRectangle{}; ///< where they may be; x, y, width, height in the viewport
+
+  /// The member's view, over the image, the rectangle and the depths of the joint one.
+  vtkPointSurfaceView GetView(const vtkPointSurfaceView& joint) const
+  {
+    vtkPointSurfaceView view = this->View;
+    view.Size = joint.Size;
+    view.VCDC = joint.VCDC;
+    view.Rim = joint.Rim;
+    view.Rectangle = joint.Rectangle;
+    view.DepthRange = joint.DepthRange;
+    return view;
+  }
+
+  bool operator==(const vtkJointSurfaceMember& other) const
+  {
+    return this->Mapper == other.Mapper && this->View == other.View &&
+      this->HasColors == other.HasColors && this->Color == other.Color &&
+      this->FirstId == other.FirstId;
+  }
+};
+
 class vtkJointSurface
 {
 public:
-  struct Member
-  {
-    vtkPointSurfaceMapper* Mapper = nullptr;
-    vtkActor* Actor = nullptr;
-    vtkPointSurfaceView View;
-    bool HasColors = false;
-    bool HasDuplicates = false;   ///< see vtkDuplicatePoints
-    std::array<float, 4> Color{}; ///< of a cloud without colours, where it borders on others
-    vtkIdType NumberOfPoints = 0;
-    vtkIdType FirstId = 0; ///< of its points among those of all members
-    /// Ids, from the first on, whose pixels this member shades; none where an earlier one does it.
-    vtkIdType ShadedIds = 0;
-    std::array<int, 4>
-      ShadedRectangle{}; ///< where they may be; x, y, width, height in the viewport
-
-    /// The member's view, over the image, the rectangle and the depths of the joint one.
-    vtkPointSurfaceView GetView(const vtkPointSurfaceView& joint) const
-    {
-      vtkPointSurfaceView view = this->View;
-      view.Size = joint.Size;
-      view.VCDC = joint.VCDC;
-      view.Rim = joint.Rim;
-      view.Rectangle = joint.Rectangle;
-      view.DepthRange = joint.DepthRange;
-      return view;
-    }
-
-    bool operator==(const Member& other) const
-    {
-      return this->Mapper == other.Mapper && this->View == other.View &&
-        this->HasColors == other.HasColors && this->Color == other.Color &&
-        this->FirstId == other.FirstId;
-    }
-  };
+  using Member = vtkJointSurfaceMember;
 
   vtkJointSurface();
   ~vtkJointSurface();

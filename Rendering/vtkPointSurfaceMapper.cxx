@@ -110,7 +110,7 @@ public:
   SurfaceBuffer* Current = nullptr;
   vtkJointSurface* Joint = nullptr;           // that this cloud is a part of, while a pass renders
   std::shared_ptr<SurfaceBuffer> JointBuffer; // of the last frame's joint surface
-  std::vector<vtkJointSurface::Member> Projected; // the clouds that ProjectPoints() projects
+  std::vector<vtkJointSurface::Member> Projected; // the clouds that the surface is made of
   int PointRange[2] = { 0, VTK_INT_MAX };         // ids that are shaded of the current buffer
   unsigned long UseCount = 0;
   vtkDuplicatePoints Duplicates;
@@ -380,7 +380,7 @@ void vtkPointSurfaceMapper::UpdateDrawablePoints()
     vtkWarningMacro(<< remark);
   }
   vtkDrawablePoints::Needs needs;
-  needs.Normals = this->NeedsNormals();
+  needs.Normals = this->NeedsNormals() && this->UsesProjection();
   needs.Radii = this->NeedsRadii();
   needs.SamplingDistance = source.SamplingQuantile >= 0.0;
   needs.SpatialOrder = this->UsesProjection();
@@ -579,7 +579,7 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
 
 vtkSmartPointer<vtkDataArray> vtkPointSurfaceMapper::GetNormals()
 {
-  if (this->NeedsNormals())
+  if (this->NeedsNormals() && this->UsesProjection())
   {
     return this->Internals->Points.GetCloud()->GetPointData()->GetNormals();
   }
@@ -968,7 +968,7 @@ bool vtkPointSurfaceMapper::JoinSurface(vtkActor* actor, const vtkPointSurfaceVi
   member.NumberOfPoints = this->GetBlocks().GetCloud()->GetNumberOfPoints();
   // colours cannot be averaged with places in a texture
   const bool textured = vtkPointProjectionOpenGL::HasColors(this->VBOs) && !member.HasColors;
-  if (this->HasJointForm() && !textured)
+  if (!textured)
   {
     joint->Add(member);
   }
@@ -1022,8 +1022,9 @@ void vtkPointSurfaceMapper::FindOrMakeSurfaceBuffer(
   vtkJointSurface::Member alone;
   alone.Mapper = this;
   alone.View = view;
+  alone.HasColors = vtkPointProjectionOpenGL::HasColors(this->VBOs);
   internals.Projected = { alone };
-  this->MakeBuffer(*surface, view, needsIds, vtkPointProjectionOpenGL::HasColors(this->VBOs));
+  this->MakeBuffer(*surface, view, needsIds, alone.HasColors);
 }
 
 namespace
@@ -1169,6 +1170,11 @@ void vtkPointSurfaceMapper::EndProjection()
   this->Internals->Timers[Project].Stop();
   this->Internals->Timers[Reconstruct].Start();
   FlushQuery();
+}
+
+const std::vector<vtkJointSurfaceMember>& vtkPointSurfaceMapper::GetMembers() const
+{
+  return this->Internals->Projected;
 }
 
 vtkDrawnClouds vtkPointSurfaceMapper::GetDrawnClouds(

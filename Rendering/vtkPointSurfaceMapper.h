@@ -58,6 +58,7 @@ class vtkJointSurface;
 class vtkSurfaceImage;
 class vtkSurfaceTarget;
 struct vtkDrawnClouds;
+struct vtkJointSurfaceMember;
 struct vtkPointProjectionOptions;
 struct vtkPointSurfaceView;
 struct vtkSurfaceBuffer;
@@ -240,9 +241,9 @@ protected:
   virtual double GetNeededSamplingQuantile() const { return -1.0; }
 
   /**
-   * Whether ProjectPoints() is used. If not, no point is uploaded: the subclass uploads what it
-   * draws, from GetDrawablePoints() and GetPointColor(), whenever the view's DataTime changes. True
-   * by default.
+   * Whether ProjectPoints() is used. If not, no point is uploaded, nor are normals estimated: the
+   * subclass uploads what it draws, from GetDrawablePoints(), the normals of GetBlocks() and
+   * GetPointColor(), whenever the view's DataTime changes. True by default.
    */
   virtual bool UsesProjection() const { return true; }
 
@@ -276,12 +277,6 @@ protected:
    * with Supersampling it is so whatever this returns. Default false.
    */
   virtual bool MakesCoverage() const { return false; }
-
-  /**
-   * Whether what is made of points in MakeSurfaceBuffer() and MakeSurfacePixels() comes from
-   * ProjectPoints() alone: then vtkPointSurfacePass can have several clouds made to one.
-   */
-  virtual bool HasJointForm() const { return false; }
 
   /**
    * Whether fewer points are drawn where pixels cannot tell them apart, see GetDrawnClouds() and
@@ -329,11 +324,14 @@ protected:
    * For subclasses that draw points by steps of their own in place of ProjectPoints(): the clouds,
    * for the back end of the frame, less what lies outside of the image by more than `reach` radii.
    * Their points are counted for the statistics; if they are to be thinned (see vtkPointThinning),
-   * the views have larger radii to match. What the subclass does from BeginProjection() to
-   * EndProjection() is timed as projection, the rest as reconstruction.
+   * the views have larger radii to match. For those that draw something else than points: the
+   * mappers of the clouds, of this class all, and their views; one, but in vtkPointSurfacePass.
+   * What the subclass does from BeginProjection() to EndProjection() is timed as projection, the
+   * rest as reconstruction.
    */
   vtkDrawnClouds GetDrawnClouds(
     const vtkPointSurfaceView& view, int thinning = 0, double reach = 0.0);
+  const std::vector<vtkJointSurfaceMember>& GetMembers() const;
   void BeginProjection();
   void EndProjection();
   ///@}

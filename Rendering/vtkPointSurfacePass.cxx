@@ -22,7 +22,6 @@ class vtkPointSurfacePass::vtkInternals
 public:
   vtkJointSurface Joint;
   vtkNew<vtkOpaquePass> Opaque;
-  bool Warned = false; // of clouds that cannot be joined
 };
 
 vtkStandardNewMacro(vtkPointSurfacePass);
@@ -52,7 +51,6 @@ void vtkPointSurfacePass::Render(const vtkRenderState* state)
     return;
   }
   std::vector<std::pair<vtkActor*, vtkPointSurfaceMapper*>> clouds;
-  int lone = 0;
   for (int i = 0; i < state->GetPropArrayCount(); ++i)
   {
     auto* actor = vtkActor::SafeDownCast(state->GetPropArray()[i]);
@@ -60,16 +58,8 @@ void vtkPointSurfacePass::Render(const vtkRenderState* state)
     if (mapper && actor->HasOpaqueGeometry())
     {
       clouds.emplace_back(actor, mapper);
-      lone += !mapper->HasJointForm();
     }
   }
-  if (lone > 1 && !this->Internals->Warned)
-  {
-    vtkWarningMacro(<< lone << " clouds have a mapper without a joint form (see "
-                    << "vtkPointSurfacePass), so that each is reconstructed by itself. Use another "
-                       "class of mapper to have them joined, or vtkOpaquePass.");
-  }
-  this->Internals->Warned = lone > 1;
 
   vtkJointSurface& joint = this->Internals->Joint;
   joint.Begin();

@@ -16,9 +16,8 @@
  * are mapped by texture, or texture coordinates; and, in parallel projection, clouds that reach
  * behind the camera's position. So are translucent clouds.
  *
- * vtkAlgebraicSplatMapper has no joint form: a patch is fitted to the points of its own cloud and
- * reaches over the gaps between them, so that there are none that another cloud could close; its
- * clouds hide each other as meshes do. A warning tells when there are several.
+ * vtkAlgebraicSplatMapper joins patches, each fitted to the points of its own cloud: they are
+ * blended where they overlap, whatever cloud they are of.
  * vtkDirectPointMapper works at one sampling distance for all: the mean of those that the clouds
  * have or are given (SetRadius). That is the merged cloud's where clouds lie side by side; of
  * clouds that lie among each other, which are denser together than each one, it is larger.

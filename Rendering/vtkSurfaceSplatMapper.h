@@ -70,7 +70,6 @@ protected:
 
   void MakeSurfaceBuffer(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
     vtkSurfaceTarget& surface) override;
-  bool HasJointForm() const override { return true; }
   bool ThinsPoints() const override { return this->ThinPoints && !this->IsPart(); }
   bool HasCPUForm() const override { return true; }
   void MakeSurfacePixels(

@@ -5,6 +5,11 @@
 uniform samplerBuffer splats;
 #ifdef OUT_COLOR
 uniform samplerBuffer colors;
+uniform bool hasColors;
+uniform vec4 color; // where it has none
+#endif
+#ifdef OUT_ID
+uniform int firstId; // of the cloud's points, among those of all
 #endif
 uniform vec4 eyeRay;     // xy: the ray's direction through the pixel (0, 0); zw: its origin
 uniform vec4 eyeRayStep; // change of these a pixel
@@ -166,13 +171,13 @@ void main()
   float weight = exp(-weightFalloff * dot(uv, uv));
 #ifdef OUT_ID
   vec2 halves = texelFetch(splats, firstTexel + 3).xy;
-  OUT_ID = uint(halves.x) + 65536u * uint(halves.y) + 1u;
+  OUT_ID = uint(firstId) + uint(halves.x) + 65536u * uint(halves.y) + 1u;
   gl_FragDepth = 1.0 - weight;
 #else
   OUT_SUM = weight * vec4(normal, depth);
   OUT_WEIGHT = vec4(weight, 0.0, 0.0, 0.0);
 #ifdef OUT_COLOR
-  OUT_COLOR = weight * texelFetch(colors, splat);
+  OUT_COLOR = weight * (hasColors ? texelFetch(colors, splat) : color);
 #endif
 #endif
 #endif

@@ -67,13 +67,14 @@ def read_mesh(name):
     return source.GetOutput()
 
 
-def patch_points(splats, overlap, random):
+def patch_points(splats, quality, random):
     """Points of the patches, within what each stands for, in the measure of their discs."""
     get = lambda name: vtk_to_numpy(splats.GetPointData().GetArray(name)).astype(float)
     i = random.integers(splats.GetNumberOfPoints(), size=SAMPLES)
-    angle, r = random.uniform(0, 2 * np.pi, SAMPLES), np.sqrt(random.uniform(0, 1, SAMPLES)) / overlap
-    u, v = r * np.cos(angle), r * np.sin(angle)
     n, axis, radius, c = get("Normals")[i], get("SplatAxes")[i], get("radius")[i], get("SplatCoefficients")[i]
+    angle, r = random.uniform(0, 2 * np.pi, SAMPLES), np.sqrt(random.uniform(0, 1, SAMPLES))
+    r *= quality * get("FeatureSize")[i] / radius
+    u, v = r * np.cos(angle), r * np.sin(angle)
     terms = [u ** (d - b) * v ** b for d in range(5) for b in range(d + 1)]
     height = sum(c[:, k] * terms[k] for k in range(c.shape[1]))
     centers = vtk_to_numpy(splats.GetPoints().GetData())[i].astype(float)
@@ -145,7 +146,7 @@ def measure(name):
             splats.Update()
             seconds = time.perf_counter() - start
             output = splats.GetOutput()
-            points = patch_points(output, splats.GetOverlap(), random)
+            points = patch_points(output, splats.GetQuality(), random)
             off = np.abs([distance.EvaluateFunction(*p) for p in points])
             mapper = vtkAlgebraicSplatMapper()
             mapper.SetInputData(output)

@@ -28,7 +28,6 @@ struct MapperClass
   bool UsesRadii = true;       ///< of the points, and estimates them
   bool FillsSmallGaps = false; ///< of few pixels, as dense clouds have, and no others
   bool DrawsSplats = false;
-  bool Joins = true;  ///< with other clouds in vtkPointSurfacePass
   bool Thins = false; ///< draws fewer points where pixels cannot tell them apart
 
   /// What the mapper draws, of a cloud: as many points, in the same order.
@@ -65,7 +64,6 @@ inline std::vector<MapperClass> GetMapperClasses()
   auto splats = MapperClassOf<vtkAlgebraicSplatMapper>("vtkAlgebraicSplatMapper");
   splats.UsesRadii = false;
   splats.DrawsSplats = true;
-  splats.Joins = false;
   auto imageSpace = MapperClassOf<vtkImageSpacePointMapper>("vtkImageSpacePointMapper");
   imageSpace.FillsSmallGaps = true;
   auto pullPush = MapperClassOf<vtkPullPushMapper>("vtkPullPushMapper");

@@ -9,6 +9,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellData.h"
+#include "vtkColor.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
@@ -16,6 +17,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkPropPicker.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -88,6 +90,13 @@ struct Scene
     const int row = static_cast<int>((y + 3.0) / 6.0 * Size);
     const unsigned char* rgb = this->Pixels->GetPointer(3 * (row * Size + column));
     return { rgb[0], rgb[1], rgb[2] };
+  }
+
+  bool CanBePicked(double x, double y)
+  {
+    const double column = (x + 3.0) / 6.0 * Size;
+    const double row = (y + 3.0) / 6.0 * Size;
+    return vtkNew<vtkPropPicker>()->PickProp(column, row, this->Renderer) == 1;
   }
 
   bool IsEmpty(double x, double y) { return this->At(x, y) == Pixel{ 0, 0, 0 }; }
@@ -187,6 +196,7 @@ void CheckKindsOfInput(const Kind& kind)
       check(scene.Mapper->GetLastFramePointsDrawn() == count, what + " is all drawn");
     };
     isAsOneCloud(GetPart<vtkUnstructuredGrid>(cloud, 0, count));
+    isAsOneCloud(GetPart<vtkPointSet>(cloud, 0, count));
     isAsOneCloud(grid);
     isAsOneCloud(one);
     isAsOneCloud(tree);
@@ -260,6 +270,18 @@ void CheckBlocks(const Kind& kind)
   scene.Render();
   check(!scene.IsEmpty(-1.5, 0.0) && scene.IsEmpty(1.5, 0.0) && !mapper->GetBlockVisibility(Right),
     name + ": a block that attributes hide");
+  attributes->RemoveBlockVisibility(right);
+  attributes->SetBlockColor(right, vtkColor3d(0.0, 1.0, 0.0).GetData());
+  attributes->SetBlockPickability(right, false);
+  scene.Render();
+  check(scene.At(1.5, 0.0)[1] > 200 && scene.At(1.5, 0.0)[2] == 0 && scene.At(-1.5, 0.0)[2] > 200,
+    name + ": a block that attributes colour");
+  check(scene.CanBePicked(-1.5, 0.0) && !scene.CanBePicked(1.5, 0.0),
+    name + ": a block that attributes keep from being picked");
+  attributes->SetBlockOpacity(right, 0.5);
+  scene.Render();
+  check(scene.At(1.5, 0.0)[1] > 100 && scene.At(1.5, 0.0)[1] < 140 && scene.At(-1.5, 0.0)[2] > 200,
+    name + ": a block that attributes make translucent");
   mapper->SetCompositeDataDisplayAttributes(nullptr);
 
   // colour in place of the property's and of scalars
@@ -381,7 +403,15 @@ void CheckFaults(const Kind& kind)
   check(warns(tree, "Block 1 is a vtkImageData"), name + ": other blocks are drawn");
   tree = MakeBalls(kind);
   vtkPointSet::SafeDownCast(tree->GetBlock(1))->GetPointData()->SetNormals(nullptr);
-  if (kind.Class.UsesNormals)
+  if (kind.Class.DrawsSplats)
+  {
+    Scene scene(kind, tree);
+    Messages messages(scene.Mapper);
+    scene.Render();
+    check(messages.GetCount() == 2 && scene.IsEmpty(-1.5, 0.0),
+      name + ": without normals of all blocks there are no splats, which is said");
+  }
+  else if (kind.Class.UsesNormals)
   {
     check(warns(tree, "Block 2 has no normals"), name + ": normals are estimated");
   }

@@ -76,6 +76,17 @@ void AddGhosts(vtkPolyData* cloud, vtkIdType count)
   cloud->GetPointData()->AddArray(ghosts);
 }
 
+void ScaleNormals(vtkPolyData* cloud, vtkPointSurfaceMapper*)
+{
+  vtkDataArray* normals = cloud->GetPointData()->GetNormals();
+  for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
+  {
+    const double* n = normals->GetTuple3(i);
+    const double size = i % 2 ? 1e-6 : 1e6;
+    normals->SetTuple3(i, size * n[0], size * n[1], size * n[2]);
+  }
+}
+
 std::vector<Case> GetCases()
 {
   using Mapper = vtkPointSurfaceMapper;
@@ -126,18 +137,7 @@ std::vector<Case> GetCases()
     { "a NaN normal",
       [](vtkPolyData* c, Mapper*) { c->GetPointData()->GetNormals()->SetTuple3(5, NaN, 0.0, 1.0); },
       "1 that are not finite (the first is of point 5)", true, Normals },
-    { "normals of no unit length",
-      [](vtkPolyData* c, Mapper*)
-      {
-        vtkDataArray* normals = c->GetPointData()->GetNormals();
-        for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
-        {
-          const double* n = normals->GetTuple3(i);
-          const double size = i % 2 ? 1e-6 : 1e6;
-          normals->SetTuple3(i, size * n[0], size * n[1], size * n[2]);
-        }
-      },
-      "", true },
+    { "normals of no unit length", ScaleNormals, "", true, Normals },
     { "a radius of zero", [](vtkPolyData* c, Mapper*) { Radii(c)->SetValue(7, 0.0f); },
       "the first is 0 of point 7", true, Radius },
     { "a negative radius", [](vtkPolyData* c, Mapper*) { Radii(c)->SetValue(7, -1.0f); },
@@ -249,6 +249,32 @@ std::vector<Case> GetSplatCases()
   { return [=](vtkPolyData* c, Mapper*) { c->GetPointData()->RemoveArray(array); }; };
   const char* leftOut = "1 of 2000 splats (the first is point 7) are not drawn";
   return {
+    { "no normals", [](vtkPolyData* c, Mapper*) { c->GetPointData()->SetNormals(nullptr); },
+      "no point array 'Normals'", false },
+    { "zero normals", [](vtkPolyData* c, Mapper*) { c->GetPointData()->GetNormals()->Fill(0.0); },
+      "2000 of 2000 splats", false },
+    { "a zero normal",
+      [](vtkPolyData* c, Mapper*) { c->GetPointData()->GetNormals()->SetTuple3(7, 0.0, 0.0, 0.0); },
+      leftOut, true },
+    { "a NaN normal", spoil("Normals", 1, NaN), leftOut, true },
+    { "normals of no unit length", ScaleNormals, "", true },
+    { "too few normals",
+      [](vtkPolyData* c, Mapper*) { c->GetPointData()->GetNormals()->SetNumberOfTuples(10); },
+      "Array 'Normals' has 10 tuples of 3 components for 2000 splats", false },
+    { "a negative radius", spoil("radius", 0, -1.0), leftOut, true },
+    { "an infinite radius", spoil("radius", 0, Infinity), leftOut, true },
+    { "a huge radius", spoil("radius", 0, 1e30), leftOut, true },
+    { "axes that are names",
+      [](vtkPolyData* c, Mapper*)
+      {
+        c->GetPointData()->RemoveArray("SplatAxes");
+        vtkNew<vtkStringArray> names;
+        names->SetName("SplatAxes");
+        names->SetNumberOfValues(2000);
+        c->GetPointData()->AddArray(names);
+      },
+      "no point array 'SplatAxes'", false },
+    { "an order of nine", spoil("SplatOrder", 0, 9.0), leftOut, true },
     { "an order of zero", spoil("SplatOrder", 0, 0.0), leftOut, true },
     { "an order without coefficients", spoil("SplatOrder", 0, 4.0), leftOut, true },
     { "a NaN coefficient", spoil("SplatCoefficients", 1, NaN), leftOut, true },

@@ -5,6 +5,7 @@ MAPPERS is the one list of mapper classes that have to pass; a new mapper is add
 else than points has an entry in INPUTS, which makes that of a cloud.
 """
 
+import functools
 import os
 from typing import NamedTuple
 
@@ -67,6 +68,7 @@ def variants(cases):
 BASELINES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Data", "Baseline")
 OUTPUT = os.environ.get("POINTSURFACE_TEST_OUTPUT", ".")
 TUBE = 0.4  # radius of the torus' tube; that of its ring is 1
+BOUNDS = (-1 - TUBE, 1 + TUBE, -1 - TUBE, 1 + TUBE, -TUBE, TUBE)  # of the torus
 
 
 def array(values, name=None, kind=np.float32):
@@ -141,9 +143,9 @@ def input_of(mapper_class, data):
 
 
 class Scene:
-    """One surface in a renderer of its own window, looked at from the side."""
+    """One surface in a renderer of its own window, looked at from the side; the camera sees all within the bounds."""
 
-    def __init__(self, mapper_class, data, size=(200, 200)):
+    def __init__(self, mapper_class, data, size=(200, 200), bounds=None):
         self.is_mesh = mapper_class is vtkPolyDataMapper
         self.mapper = mapper_class()
         self.mapper.SetInputData(input_of(mapper_class, data))
@@ -156,7 +158,7 @@ class Scene:
         self.camera = self.renderer.GetActiveCamera()
         self.camera.SetPosition(1.2, -3.0, 2.4)
         self.camera.SetViewUp(0, 0, 1)
-        self.renderer.ResetCamera(data.GetBounds())  # not the mapper's own: those of splats reach farther
+        self.renderer.ResetCamera(bounds or data.GetBounds())  # not the mapper's own: those of splats reach farther
         self.camera.Zoom(1.6)
 
     def add_floor(self):
@@ -190,12 +192,35 @@ class Scene:
         return depth
 
 
-def cloud_and_mesh(mapper_class, prepare=lambda scene: None, data=(torus_cloud, torus_mesh), **options):
-    """The scene of the cloud and that of the mesh of the same surface, each prepared alike."""
-    scenes = Scene(mapper_class, data[0](), **options), Scene(vtkPolyDataMapper, data[1](), **options)
-    for scene in scenes:
-        prepare(scene)
-    return scenes
+class Still:
+    """What a scene showed."""
+
+    def __init__(self, scene):
+        picture, depth = scene.color(), scene.depth()
+        self.color, self.depth = lambda: picture, lambda: depth
+
+
+def torus_scene(mapper_class, prepare, make_data, **options):
+    scene = Scene(mapper_class, make_data(), bounds=BOUNDS, **options)
+    prepare(scene)
+    return scene
+
+
+def as_it_is(scene):
+    pass
+
+
+@functools.lru_cache(maxsize=None)
+def still(mapper_class, prepare=as_it_is, make_data=torus_cloud, **options):
+    """What a scene of the torus shows: drawn once, for all who ask."""
+    return Still(torus_scene(mapper_class, prepare, make_data, **options))
+
+
+def cloud_and_mesh(mapper_class, prepare=as_it_is, data=(torus_cloud, torus_mesh), live=False, **options):
+    """The scene of the cloud and that of the mesh of the same surface, each prepared alike, by the same camera. Of the mesh
+    it is what the scene shows, drawn once for all mappers, if it is not wanted live."""
+    cloud = torus_scene(mapper_class, prepare, data[0], **options)
+    return cloud, (torus_scene if live else still)(vtkPolyDataMapper, prepare, data[1], **options)
 
 
 def covered_by_both(cloud, mesh):

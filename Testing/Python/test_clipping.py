@@ -85,7 +85,7 @@ def test_moved_turned_and_stretched(mapper_class, backend):
 
 @pytest.mark.parametrize("mapper_class", MAPPERS)
 def test_a_plane_that_moves_or_goes(mapper_class):
-    cloud, mesh = cloud_and_mesh(mapper_class)
+    cloud, mesh = cloud_and_mesh(mapper_class, live=True)
     whole = cloud.color()
     moving = plane((0, 0, 0), (1, 0, 0))
     for scene in (cloud, mesh):

@@ -223,7 +223,7 @@ CASES = {
 }
 SHARP = {
     "NaN": 6,
-    "beyond the range": 5.2,
+    "beyond the range": 5,
     "texture": 6,
     "texture under colours": 6,
     "texture under interpolated colours": 6,

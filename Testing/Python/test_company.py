@@ -15,6 +15,7 @@ from scenes import (
     difference,
     grow,
     input_of,
+    still,
     torus_cloud,
     torus_mesh,
     variants,
@@ -128,11 +129,9 @@ def wrong_pixels(cloud, mesh):
 @pytest.fixture(scope="module")
 def alone():
     """For each mapper the picture without company, and the pixels, along outlines, that are another colour there."""
-    pictures = {}
-    for mapper_class in MAPPERS:
-        cloud, mesh = cloud_and_mesh(mapper_class)
-        pictures[mapper_class] = cloud.color(), wrong_pixels(cloud, mesh)
-    return pictures
+    clouds = {mapper_class: still(mapper_class) for mapper_class in MAPPERS}
+    mesh = still(vtkPolyDataMapper, make_data=torus_mesh)
+    return {mapper_class: (cloud.color(), wrong_pixels(cloud, mesh)) for mapper_class, cloud in clouds.items()}
 
 
 @pytest.mark.parametrize("mapper_class, backend, name", variants(COMPANY))
@@ -252,7 +251,7 @@ def picked_points(scene, places):
 @pytest.mark.parametrize("mapper_class, backend, parallel", variants([False, True]))
 def test_pickers_land_on_the_surface(mapper_class, backend, parallel):
     """As near to it as on a mesh, where the picked position is that of a pixel's corner."""
-    cloud, mesh = cloud_and_mesh(mapper_class, lambda s: s.camera.SetParallelProjection(parallel))
+    cloud, mesh = cloud_and_mesh(mapper_class, lambda s: s.camera.SetParallelProjection(parallel), live=True)
     getattr(cloud.mapper, f"SetBackendTo{backend}")()
     for scene in (cloud, mesh):
         scene.color()

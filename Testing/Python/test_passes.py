@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Render passes and translucency do to a cloud what they do to a mesh, and the surface buffer is made once for them all."""
 
+import functools
+
 import numpy as np
 import pytest
 from scenes import (
@@ -12,6 +14,7 @@ from scenes import (
     covered_by_both,
     difference,
     grow,
+    still,
     torus_cloud,
     torus_mesh,
     variants,
@@ -67,6 +70,10 @@ def by_sequence(scene):
     scene.renderer.SetPass(camera)
 
 
+def dense_cloud():
+    return torus_cloud(100000)
+
+
 def add_floor(scene):
     scene.add_floor()
     scene.camera.Zoom(0.7)
@@ -114,7 +121,7 @@ def inner_difference(cloud, mesh):
 def test_as_the_mesh(mapper_class, backend, name):
     # over pixels in such numbers gaps are wider than some fill
     dense = mapper_class is vtkImageSpacePointMapper and name == "SSAA"
-    cloud, mesh = cloud_and_mesh(mapper_class, PASSES[name], (lambda: torus_cloud(100000 if dense else 20000), torus_mesh))
+    cloud, mesh = cloud_and_mesh(mapper_class, PASSES[name], (dense_cloud if dense else torus_cloud, torus_mesh))
     getattr(cloud.mapper, f"SetBackendTo{backend}")()
     pictures, measured = inner_difference(cloud, mesh)
     print(f"{name}: {measured:.3f}")
@@ -123,7 +130,7 @@ def test_as_the_mesh(mapper_class, backend, name):
     assert measured < (24 if steps else 4 * ACCURACY[mapper_class].factor)
     assert pictures[0].std() > 0.1
     if name not in ("steps", "sequence", "FXAA", "FXAA pass", "SSAA"):
-        plain = cloud_and_mesh(mapper_class, add_floor if name == "shadows" else lambda s: None)[0].color()
+        plain = (still(mapper_class, add_floor) if name == "shadows" else still(mapper_class)).color()
         assert difference(pictures[0], plain) > 2, "the pass does nothing"
     cloud.color()
     assert cloud.mapper.GetLastFrameReconstructions() == 0, "a still frame makes nothing, whoever draws it"
@@ -140,10 +147,11 @@ PEELING = {"single": vtkDepthPeelingPass, "dual": vtkDualDepthPeelingPass}
 TRANSLUCENT = [(opacity, peeling) for opacity in (0.3, 0.6, 0.9) for peeling in ("none", "renderer's", *PEELING)]
 
 
-def translucent(opacity, peeling, cull=True):
+@functools.lru_cache(maxsize=None)
+def translucent(opacity, peeling):
     def prepare(scene):
         scene.actor.GetProperty().SetOpacity(opacity)
-        scene.actor.GetProperty().SetBackfaceCulling(cull)
+        scene.actor.GetProperty().BackfaceCullingOn()
         scene.actor.GetProperty().SetColor(0.9, 0.5, 0.2)
         ball = vtkSphereSource()
         ball.SetRadius(0.45)
@@ -176,16 +184,14 @@ def test_translucent(mapper_class, backend, case):
     cloud, mesh = cloud_and_mesh(mapper_class, translucent(opacity, peeling))
     getattr(cloud.mapper, f"SetBackendTo{backend}")()
     pictures = cloud.color(), mesh.color()
-    single = cloud_and_mesh(mapper_class)
-    for scene in single:
-        scene.color()
-    inside = ~grow(~covered_by_both(*single), 2)
+    single = covered_by_both(still(mapper_class), still(vtkPolyDataMapper, make_data=torus_mesh))
+    inside = ~grow(~single, 2)
     # where the ring lies before itself the mesh has two layers
     inside &= np.indices(inside.shape)[0] < 100
     measured = difference(*pictures, inside)
     print(f"opacity {opacity}, {peeling}: {measured:.3f}")
     assert measured < 3 * ACCURACY[mapper_class].factor
-    opaque = cloud_and_mesh(mapper_class, translucent(1.0, "none"))[0]
+    opaque = still(mapper_class, translucent(1.0, "none"))
     assert difference(pictures[0], opaque.color(), inside) > 5 * (1 - opacity)
     assert cloud.mapper.GetLastFrameReconstructions() <= 1
 

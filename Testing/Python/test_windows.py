@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A cloud in windows of all kinds: viewports, several renderers, several windows, tiles, samples, layers."""
 
+import functools
+
 import numpy as np
 import pytest
 from scenes import (
@@ -27,12 +29,17 @@ def scene_of(mapper_class, backend="CPU", size=(200, 200)):
     return scene
 
 
+@functools.lru_cache(maxsize=None)
+def within(viewport):
+    return lambda scene: scene.renderer.SetViewport(*viewport)
+
+
 VIEWPORTS = [(0.13, 0.21, 0.77, 0.9), (0.5, 0, 1, 0.5), (0, 0.5, 0.33, 1)]
 
 
 @pytest.mark.parametrize("mapper_class, backend, viewport", variants(VIEWPORTS))
 def test_viewport(mapper_class, backend, viewport):
-    cloud, mesh = cloud_and_mesh(mapper_class, lambda s: s.renderer.SetViewport(*viewport), size=(350, 300))
+    cloud, mesh = cloud_and_mesh(mapper_class, within(viewport), size=(350, 300))
     getattr(cloud.mapper, f"SetBackendTo{backend}")()
     assert_same_surface(cloud, mesh)
 
@@ -110,12 +117,18 @@ def test_resize(mapper_class, backend):
     assert np.array_equal(scene.color(), first)
 
 
+@functools.lru_cache(maxsize=None)
+def smooth_mesh():
+    _, mesh = cloud_and_mesh(MAPPERS[0], live=True)
+    return rendering.box_average(rendering.read_color(mesh.window, 4), 4)
+
+
 @pytest.mark.parametrize("mapper_class, backend, samples", variants([2, 4, 8]))
 def test_multisampling(mapper_class, backend, samples):
     """Samples of a window leave the surface as it is: same place, closed, same light. Its outline blends."""
-    scene, mesh = cloud_and_mesh(mapper_class)
+    scene, _ = cloud_and_mesh(mapper_class)
     getattr(scene.mapper, f"SetBackendTo{backend}")()
-    truth = rendering.box_average(rendering.read_color(mesh.window, 4), 4)
+    truth = smooth_mesh()
     plain = scene.color()
     mask = scene.depth() < 1
     mask = np.pad(mask, 2, mode="edge")  # of what goes on outside of the window
