@@ -57,6 +57,7 @@ void vtkPullPushMapper::SetToPublished()
   this->UnionRadiiOff();
   this->FillPixelsOff();
   this->DepthTestInPushOff();
+  this->BlendPixelsOff();
   this->TrimOutlinesOff();
   this->ThinPointsOff();
 }
@@ -70,6 +71,7 @@ vtkPullPushOptions vtkPullPushMapper::GetOptions() const
   options.DepthTestInPush = this->DepthTestInPush;
   options.UnionRadii = this->UnionRadii;
   options.FillPixels = this->FillPixels;
+  options.BlendPixels = this->BlendPixels;
   options.TrimOutlines = this->TrimOutlines;
   return options;
 }
@@ -171,6 +173,7 @@ void vtkPullPushMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UnionRadii: " << this->UnionRadii << "\n";
   os << indent << "FillPixels: " << this->FillPixels << "\n";
   os << indent << "DepthTestInPush: " << this->DepthTestInPush << "\n";
+  os << indent << "BlendPixels: " << this->BlendPixels << "\n";
   os << indent << "TrimOutlines: " << this->TrimOutlines << "\n";
   os << indent << "ThinPoints: " << this->ThinPoints << "\n";
 }

@@ -109,6 +109,18 @@ public:
 
   ///@{
   /**
+   * Where projected radii are under 2.5 pixels, average a pixel of the finest level that stays with
+   * the coarser ones around it whose discs cover it at its depth, by their weights there, so that
+   * dense clouds flicker less; in the paper (section 3.3) it stays as it is. Its id is its own
+   * point's. Default on.
+   */
+  vtkSetMacro(BlendPixels, bool);
+  vtkGetMacro(BlendPixels, bool);
+  vtkBooleanMacro(BlendPixels, bool);
+  ///@}
+
+  ///@{
+  /**
    * Show a point in its own pixel only where its disc covers the pixel's centre, to within a fifth
    * of a pixel, more where projected radii are under 2.5 pixels; in the paper (section 3.3) it
    * stays whatever part of the pixel the disc covers, so that outlines lie half a pixel outside of
@@ -170,6 +182,7 @@ protected:
   bool UnionRadii = true;
   bool FillPixels = true;
   bool DepthTestInPush = true;
+  bool BlendPixels = true;
   bool TrimOutlines = true;
   bool ThinPoints = true;
 

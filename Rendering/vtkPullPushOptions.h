@@ -17,6 +17,7 @@ struct vtkPullPushOptions
   bool DepthTestInPush = false;
   bool UnionRadii = false;
   bool FillPixels = false;
+  bool BlendPixels = false;
   bool TrimOutlines = false;
 };
 

@@ -42,6 +42,7 @@ vtkPullPushParameters::vtkPullPushParameters(
   : Options(options)
   , Levels(MakeLevels(view))
   , OutlineSlack(static_cast<float>(std::max(0.7 - 0.2 * view.TypicalRadius, 0.2)))
+  , BlendsPixels(options.BlendPixels && view.TypicalRadius < 2.5)
   , DepthStep(static_cast<float>(view.MeanRadius))
   , TwoSided(view.Cull == vtkPointSurfaceView::NoCulling)
   , NumberOfClippingPlanes(view.NumberOfClippingPlanes)

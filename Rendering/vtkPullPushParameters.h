@@ -36,9 +36,10 @@ struct vtkPullPushParameters
   /// Pixels that a disc may miss the centre of its point's own pixel by, where outlines are
   /// trimmed: small discs, and those that are seen edge-on, cover few centres.
   float OutlineSlack = 0.0f;
-  float DepthStep = 0.0f; ///< in eye units: what is farther back than this is behind
-  int OpenRun = 5;        ///< empty pixels in a row around one that stays empty
-  bool TwoSided = false;  ///< normals may point to either side
+  bool BlendsPixels = false; ///< of the finest level, that stay, with the coarser ones
+  float DepthStep = 0.0f;    ///< in eye units: what is farther back than this is behind
+  int OpenRun = 5;           ///< empty pixels in a row around one that stays empty
+  bool TwoSided = false;     ///< normals may point to either side
   /// Planes of clipping in eye coordinates, with normals of unit length.
   std::array<std::array<float, 4>, 6> ClippingPlanes{};
   int NumberOfClippingPlanes = 0;

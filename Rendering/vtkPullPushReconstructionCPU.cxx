@@ -95,6 +95,7 @@ struct Uniforms
   float BackLimit;      // how far the front reaches over the back, a distance as in Hit
   float DistanceWeight; // 1: weights fall with the distance
   float ConstantWeight; // 1: weights are those of the paper
+  float OwnWeight;      // 1: a pixel that stays is averaged with the coarser ones
   float FrontEndMargin; // added to the end of the frontmost interval
   float OutlineSlack;
   float PixelReach; // from a fine pixel's centre to its corner, in eye units where w is 1
@@ -109,6 +110,7 @@ struct Uniforms
     , BackLimit(p.TwoSided ? 4.0f : 1.0f)
     , DistanceWeight(p.Options.DistanceWeights ? 1.0f : 0.0f)
     , ConstantWeight(p.Options.DistanceWeights ? 0.0f : 1.0f)
+    , OwnWeight(p.BlendsPixels && fineLevel == 0 ? 1.0f : 0.0f)
     , FrontEndMargin(p.Options.DepthTestInPush ? 0.0f : Infinite)
     , OutlineSlack(p.OutlineSlack)
     , PixelReach(0.71f * (this->FineSize - 1.0f) *
@@ -337,6 +339,13 @@ VTK_POINT_SURFACE_INLINE Hit GetHit(const Pixel& p, const Uniforms& u, const flo
   return CenterDepths ? HitDisc(p, u, ray) : HitEllipse(p, u);
 }
 
+/// The weight of a disc that covers a pixel; `constant` is the paper's.
+VTK_POINT_SURFACE_INLINE float GetWeight(const Uniforms& u, float distance, float constant)
+{
+  return u.DistanceWeight * Largest(1.0f - distance, 1e-6f) * (1.0f + constant) +
+    u.ConstantWeight * constant;
+}
+
 /// Whether a point's disc covers the centre of its own pixel, but for the slack.
 template <bool CenterDepths>
 VTK_POINT_SURFACE_INLINE bool CoversOwnPixel(
@@ -374,7 +383,8 @@ VTK_POINT_SURFACE_INLINE float IsKept(
 struct Pushed
 {
   Pixels<PairSize> Result;
-  float Share[4][PairSize]; // of each of the four coarse pixels; 0 where the fine pixel stays
+  float Share[4][PairSize]; // of each of the four coarse pixels
+  float OwnShare[PairSize]; // of the fine pixel
   int Main[PairSize];       // the one that the id comes from; -1 where the fine pixel stays
   float Depth[PairSize];    // of the surface at the pixel's own centre
 };
@@ -406,17 +416,19 @@ VTK_POINT_SURFACE_INLINE void PushPixels(const Pixels<PairSize>& fine,
     const float origin[2] = { firstOriginX + (column[i] + 0.5f) * u.FineSize * u.EyeRayStep[2],
       originY };
     const Pixel own = fine.Get(i);
-    const float ownNearest = GetDepthRange<CenterDepths>(own).Nearest;
+    const Range ownRange = GetDepthRange<CenterDepths>(own);
     const Range parent = GetDepthRange<CenterDepths>(coarse[0].Get(i));
     const bool valid = own.Radius > 0.0f;
     const bool covered = valid & (!Trims || CoversOwnPixel<CenterDepths>(own, u, ray));
-    const bool keep = covered & (ownNearest >= parent.Nearest) & (ownNearest <= parent.Farthest);
+    const bool keep =
+      covered & (ownRange.Nearest >= parent.Nearest) & (ownRange.Nearest <= parent.Farthest);
     // The back of a surface seen through a gap in its front: let the front reach twice as far.
     const bool isBack = valid & FacesAway(own, ray);
 
     Pixel p[4];
     Range range[4];
     float weight[4];
+    float nearness[4]; // to the centre; the id is that of the nearest one
     float front = Infinite;
     float frontEnd = Infinite;
     VTK_POINT_SURFACE_UNROLL
@@ -431,27 +443,44 @@ VTK_POINT_SURFACE_INLINE void PushPixels(const Pixels<PairSize>& fine,
       const float limit = (isBack & !FacesAway(p[k], ray)) ? u.BackLimit : 1.0f;
       const float kept = Clips ? IsKept(u, ray, origin, hit.Depth) : 1.0f;
       const bool covers = (kept * p[k].Radius > 0.0f) & (distance <= limit);
-      const float remains = Largest(1.0f - distance, 1e-6f);
       // biquadratic B-spline subdivision: 9, 3, 3, 1 of 16
       const float constant = (k & 1 ? 0.25f : 0.75f) * (k >> 1 ? 0.25f : 0.75f);
-      const float chosen =
-        u.DistanceWeight * remains * (1.0f + constant) + u.ConstantWeight * constant;
-      weight[k] = covers ? chosen : 0.0f;
+      weight[k] = covers ? GetWeight(u, distance, constant) : 0.0f;
+      nearness[k] =
+        u.DistanceWeight * Largest(1.0f - distance, 1e-6f) + u.ConstantWeight * constant;
       const bool isFront = covers & (range[k].Nearest < front);
       // an interval is one radius long; a slanted surface runs through two from pixel to pixel
       frontEnd = isFront ? 2.0f * range[k].Farthest - range[k].Nearest : frontEnd;
       front = isFront ? range[k].Nearest : front;
     }
 
-    Pixel sum = {};
+    // a pixel that stays, a back alone, for the fill to find, others with what is at their depth
+    const float ownDistance = GetHit<CenterDepths>(own, u, ray).Distance;
+    const bool alone = isBack & (u.OppositeSide < 0.0f);
+    const float ownWeight = (keep & !alone) ? u.OwnWeight * GetWeight(u, ownDistance, 1.0f) : 0.0f;
+    const float ownEnd = 2.0f * ownRange.Farthest - ownRange.Nearest;
     Pixel main = {};
-    float mainWeight = 0.0f;
-    float weights = 0.0f;
+    main.NormalX = keep ? own.NormalX : 0.0f;
+    main.NormalY = keep ? own.NormalY : 0.0f;
+    main.NormalZ = keep ? own.NormalZ : 0.0f;
+    Pixel sum = {};
+    sum.NormalX = keep ? ownWeight * own.NormalX : 0.0f;
+    sum.NormalY = keep ? ownWeight * own.NormalY : 0.0f;
+    sum.NormalZ = keep ? ownWeight * own.NormalZ : 0.0f;
+    sum.Radius = keep ? ownWeight * own.Radius : 0.0f;
+    sum.DepthX = keep ? ownWeight * own.DepthX : 0.0f;
+    sum.DepthY = keep ? ownWeight * own.DepthY : 0.0f;
+    sum.CenterX = keep ? ownWeight * own.CenterX : 0.0f;
+    sum.CenterY = keep ? ownWeight * own.CenterY : 0.0f;
+    float weights = ownWeight;
+    float mainNearness = 0.0f;
     int mainIndex = -1;
     VTK_POINT_SURFACE_UNROLL
     for (int k = 0; k < 4; ++k)
     {
-      const bool dropped = keep | (range[k].Nearest > frontEnd + u.FrontEndMargin);
+      const bool apart = (range[k].Nearest > ownEnd) | (range[k].Farthest < ownRange.Nearest);
+      const bool behind = range[k].Nearest > frontEnd + u.FrontEndMargin;
+      const bool dropped = keep ? (apart | !(ownWeight > 0.0f)) : behind;
       const float w = dropped ? 0.0f : weight[k];
       const float dot =
         p[k].NormalX * main.NormalX + p[k].NormalY * main.NormalY + p[k].NormalZ * main.NormalZ;
@@ -468,12 +497,12 @@ VTK_POINT_SURFACE_INLINE void PushPixels(const Pixels<PairSize>& fine,
       sum.CenterX += w * p[k].CenterX;
       sum.CenterY += w * p[k].CenterY;
       weights += w;
-      const bool isMain = w > mainWeight;
+      const bool isMain = !keep & (w > 0.0f) & (nearness[k] > mainNearness);
       main.NormalX = isMain ? normalX : main.NormalX;
       main.NormalY = isMain ? normalY : main.NormalY;
       main.NormalZ = isMain ? normalZ : main.NormalZ;
       mainIndex = isMain ? k : mainIndex;
-      mainWeight = isMain ? w : mainWeight;
+      mainNearness = isMain ? nearness[k] : mainNearness;
       weight[k] = w;
     }
 
@@ -502,6 +531,7 @@ VTK_POINT_SURFACE_INLINE void PushPixels(const Pixels<PairSize>& fine,
     {
       pushed.Share[k][i] = weight[k] * inverse;
     }
+    pushed.OwnShare[i] = replaced ? ownWeight * inverse : 1.0f;
     pushed.Main[i] = mainIndex;
   }
 }
@@ -575,9 +605,10 @@ VTK_POINT_SURFACE_INLINE bool PushRows(
     Copy<PairSize>(fine.Plane(k), own.Planes[k]);
     GatherParents(coarse[0].Plane(k), parents[0].Planes[k], parents[1].Planes[k]);
   }
-  if (AllStay<CenterDepths, Trims>(own, parents[0], uniforms, x, y))
+  if (!(uniforms.OwnWeight > 0.0f) && AllStay<CenterDepths, Trims>(own, parents[0], uniforms, x, y))
   {
     pushed.Result = own;
+    std::fill_n(pushed.OwnShare, PairSize, 1.0f);
     std::fill_n(pushed.Main, PairSize, -1);
     return false;
   }
@@ -604,7 +635,7 @@ bool PushBlock(const Row& fine, const Row (&coarse)[2], bool centerDepths, bool 
                       : PushRows<false, false>(fine, coarse, uniforms, x, y, pushed);
 }
 
-/// Colour plane `plane`: of the coarse pixels where they replace the fine one.
+/// Colour plane `plane`, by the shares of the pixels.
 VTK_POINT_SURFACE_CLONES
 void PushColors(
   const Row& fine, const Row (&coarse)[2], int plane, const Pushed& pushed, float* result)
@@ -618,8 +649,9 @@ void PushColors(
   {
     const float value = pushed.Share[0][i] * parents[0][i] + pushed.Share[1][i] * parents[1][i] +
       pushed.Share[2][i] * parents[2][i] + pushed.Share[3][i] * parents[3][i];
-    const float old = own[i];
-    result[i] = pushed.Main[i] < 0 ? old : value;
+    const float share = pushed.OwnShare[i];
+    const float old = share * own[i];
+    result[i] = share == 1.0f ? own[i] : value + (share > 0.0f ? old : 0.0f);
   }
 }
 

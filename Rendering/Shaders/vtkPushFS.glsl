@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Push: invalid and occluded pixels of a level from the coarser one (Marroquim et al. 2007, section 3.3).
 // More constants, see vtkPullPushCommon.glsl: distanceWeights; depthTest, where only what is near the
-// frontmost interval is averaged (not in the paper); clips, where there are planes of clipping;
+// frontmost interval is averaged (not in the paper); blendsPixels, where pixels of the finest level that
+// stay are averaged with what is at their depth; clips, where there are planes of clipping;
 // trimsOutlines, where a point's own pixel shows it only if its disc covers the centre, but for
 // outlineSlack pixels.
 uniform ivec2 coarseBegin; // pixels outside of [begin, end) are invalid
@@ -55,6 +56,12 @@ float getDistance(vec4 shape, vec4 interval, vec2 pixel, out float depth)
   depth = interval.x;
   return centerDepths ? getDiscDistance(shape, interval, pixel, interval.zw, depth)
                       : getEllipseDistance(shape, interval, interval.zw);
+}
+
+// The weight of a disc that covers a pixel; `constant` is the paper's.
+float getWeight(float distance, float constant)
+{
+  return distanceWeights ? max(1.0 - distance, 1e-6) * (1.0 + constant) : constant;
 }
 
 // Whether a point's disc covers the centre of its own pixel, but for the slack.
@@ -113,23 +120,26 @@ void main()
   bool isBack = twoSided && shape.w > 0.0 && !facesViewer(shape.xyz, fineCenter);
 #ifdef OUT_SURFACE
   bool covered = shape.w > 0.0 && (!trimsOutlines || coversOwnPixel(shape, interval, fineCenter));
+  bool blends = blendsPixels && !isBack; // a back stays alone, for the fill to find
 #else
   bool covered = shape.w > 0.0;
+  bool blends = false;
 #endif
+  vec2 ownRange = getDepthRange(shape, interval);
   bool keep = false;
   if (covered)
   {
-    float nearest = getDepthRange(shape, interval).x;
     vec2 parentRange = getDepthRange(
       texelFetch(coarseShape, parent, 0), texelFetch(coarseInterval, parent, 0));
-    keep = nearest >= parentRange.x && nearest <= parentRange.y;
+    keep = ownRange.x >= parentRange.x && ownRange.x <= parentRange.y;
   }
-  if (!keep)
+  if (!keep || blends)
   {
     ivec2 toNeighbor = 2 * (fine & 1) - 1;
     vec4 shapes[4];
     vec4 intervals[4];
     float weights[4];
+    float nearness[4]; // to the centre; the id is that of the nearest one
     float front = 3.4e38;
     float frontEnd = 3.4e38;
     for (int i = 0; i < 4; ++i)
@@ -137,6 +147,7 @@ void main()
       ivec2 isNeighbor = ivec2(i & 1, i >> 1);
       ivec2 coarse = parent + toNeighbor * isNeighbor;
       weights[i] = 0.0;
+      nearness[i] = 0.0;
       shapes[i] = isInsideImage(coarse) ? texelFetch(coarseShape, coarse, 0) : vec4(0.0);
       intervals[i] = isInsideImage(coarse) ? texelFetch(coarseInterval, coarse, 0) : vec4(0.0);
       // the displacement becomes relative to the fine pixel
@@ -149,7 +160,8 @@ void main()
       {
         // biquadratic B-spline subdivision: 9, 3, 3, 1 of 16
         float constant = (isNeighbor.x == 0 ? 0.75 : 0.25) * (isNeighbor.y == 0 ? 0.75 : 0.25);
-        weights[i] = distanceWeights ? max(1.0 - distance, 1e-6) * (1.0 + constant) : constant;
+        weights[i] = getWeight(distance, constant);
+        nearness[i] = distanceWeights ? max(1.0 - distance, 1e-6) : constant;
         vec2 range = getDepthRange(shapes[i], intervals[i]);
         if (depthTest && range.x < front)
         {
@@ -160,20 +172,25 @@ void main()
       }
     }
 
-    vec4 newShape = vec4(0.0);
-    vec4 newInterval = vec4(0.0);
-    vec3 mainNormal = vec3(0.0);
-    float mainWeight = 0.0;
-    float sum = 0.0;
+    // a pixel that stays is averaged with what is at its depth
+    float ownDepth;
+    float sum = keep ? getWeight(getDistance(shape, interval, fineCenter, ownDepth), 1.0) : 0.0;
+    float ownEnd = 2.0 * ownRange.y - ownRange.x;
+    vec4 newShape = keep ? sum * shape : vec4(0.0);
+    vec4 newInterval = keep ? sum * interval : vec4(0.0);
+    vec3 mainNormal = keep ? shape.xyz : vec3(0.0);
+    float mainNearness = 0.0;
 #ifdef HAS_ID
-    uint newId = 0u;
+    uint newId = keep ? id : 0u;
 #endif
 #ifdef HAS_COLOR
-    vec4 newColor = vec4(0.0);
+    vec4 newColor = keep ? sum * color : vec4(0.0);
 #endif
     for (int i = 0; i < 4; ++i)
     {
-      float weight = getDepthRange(shapes[i], intervals[i]).x > frontEnd ? 0.0 : weights[i];
+      vec2 range = getDepthRange(shapes[i], intervals[i]);
+      bool isDropped = keep ? range.x > ownEnd || range.y < ownRange.x : range.x > frontEnd;
+      float weight = isDropped ? 0.0 : weights[i];
       ivec2 coarse = parent + toNeighbor * ivec2(i & 1, i >> 1);
       bool turns = twoSided && dot(shapes[i].xyz, mainNormal) < 0.0;
       shapes[i].xyz = turns ? -shapes[i].xyz : shapes[i].xyz;
@@ -183,9 +200,9 @@ void main()
 #ifdef HAS_COLOR
       newColor += weight * texelFetch(coarseColor, coarse, 0);
 #endif
-      if (weight > mainWeight)
+      if (!keep && weight > 0.0 && nearness[i] > mainNearness)
       {
-        mainWeight = weight;
+        mainNearness = nearness[i];
         mainNormal = shapes[i].xyz;
 #ifdef HAS_ID
         newId = texelFetch(coarseId, coarse, 0).r;

@@ -211,6 +211,7 @@ void ComparePictures()
         s.Mapper->SetSupersampling(samples);
       });
   }
+  Compare("pixels not blended", [](Scene& s) { s.Mapper->BlendPixelsOff(); });
   Compare("outlines not trimmed", [](Scene& s) { s.Mapper->TrimOutlinesOff(); });
   Compare(
     "thinned",

@@ -76,3 +76,18 @@ def test_thinning(backend):
     print(f"PSNR {measured[True]['psnr']:.2f}, {measured[False]['psnr']:.2f} with all points")
     assert measured[True]["psnr"] > measured[False]["psnr"] - 0.5
     assert measured[True]["unfilled"] < 1e-3
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_blending(backend):
+    """Where points are dense a pixel shows what is around its own points, too: noise of normals is averaged."""
+    cloud = random_cloud(40_000)
+    normals = vtk_to_numpy(cloud.GetPointData().GetNormals())
+    normals += np.random.default_rng(1).normal(0, 0.1, normals.shape).astype(np.float32)
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    errors = {}
+    for blended in (True, False):
+        scene, image = draw(cloud, backend, (100, 100), BlendPixels=blended)
+        errors[blended] = metrics.compare(image, draw_truth(scene), 3.2)["normal_mean"]
+    print(f"normals {errors[True]:.2f} degrees off, {errors[False]:.2f} where pixels are not blended")
+    assert errors[True] < 0.85 * errors[False]
