@@ -77,14 +77,24 @@ def show(source, where, system=None, **properties):
 
 def picture(where, name):
     """What the view draws, rows from the top, as grey levels of red, green and blue; kept as name.png."""
-    path = os.path.join(OUTPUT, name + ".png")
-    simple.Render(where)
-    simple.SaveScreenshot(path, where, ImageResolution=where.ViewSize)
-    return read(path)
+    return read(save(where, name))
 
 
 def interactive(where, name):
     """The same of what it shows while it is turned."""
+    return read(save_interactive(where, name))
+
+
+def save(where, name):
+    """Keeps what the view draws as name.png, which the first rank writes; returns the path."""
+    path = os.path.join(OUTPUT, name + ".png")
+    simple.Render(where)
+    simple.SaveScreenshot(path, where, ImageResolution=where.ViewSize)
+    return path
+
+
+def save_interactive(where, name):
+    """The same of what it shows while it is turned, which each rank writes."""
     where.SMProxy.InteractiveRender()
     grab = vtkWindowToImageFilter()
     grab.SetInput(where.GetClientSideObject().GetRenderWindow())
@@ -93,7 +103,7 @@ def interactive(where, name):
     writer.SetFileName(os.path.join(OUTPUT, name + ".png"))
     writer.SetInputConnection(grab.GetOutputPort())
     writer.Write()
-    return read(writer.GetFileName())
+    return writer.GetFileName()
 
 
 def read(path):
