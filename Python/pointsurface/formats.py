@@ -9,13 +9,16 @@ import sys
 if __name__ == "__main__" and not getattr(sys.flags, "safe_path", False):
     del sys.path[0]  # the folder of the package, whose modules are not to be taken for others of their names
 
+import glob
 import importlib
 import json
+import mmap
 import os
 from contextlib import contextmanager
 from typing import NamedTuple
 
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkParallelCore import vtkDummyController, vtkMultiProcessController
@@ -117,6 +120,7 @@ FORMATS = {
     # points of grids
     "avm": Format("vtkIOAvmesh", "vtkAvmeshReader"),
     "cas": Format("vtkIOGeometry", "vtkFLUENTReader"),
+    "cas.h5": Format("vtkIOFLUENTCFF", "vtkFLUENTCFFReader", prints=2),
     "case": _ENSIGHT,
     "cgns": Format("vtkIOCGNSReader", "vtkCGNSReader"),
     "d3plot": Format("vtkIOLSDyna", "vtkLSDynaReader"),
@@ -136,6 +140,7 @@ FORMATS = {
     "pio": Format("vtkIOPIO", "vtkPIOReader"),
     "pvts": _XML,
     "pvtu": _XML,
+    "res": Format("vtkIOGeometry", "vtkMFIXReader"),
     "segy": _SEGY,
     "sgy": _SEGY,
     "smv": Format("vtkIOFDS", "vtkFDSReader"),
@@ -158,8 +163,14 @@ FORMATS = {
 BY_CONTENT = {
     "amrex": {"particles": Format("vtkIOAMR", "vtkAMReXParticlesReader", takes_path="SetPlotFileName")},
     "flash": {"particles": Format("vtkIOAMR", "vtkAMRFlashParticlesReader")},
+    "h5": {
+        "TRUCHAS": Format("vtkIOTRUCHAS", "vtkTRUCHASReader"),
+        "VERA": Format("vtkIOVeraOut", "vtkVeraOutReader"),
+    },
     "hierarchy": {"particles": Format("vtkIOAMR", "vtkAMREnzoParticlesReader")},
     "nc": {
+        "CAM": Format("vtkIONetCDF", "vtkNetCDFCAMReader"),
+        "MPAS": Format("vtkIONetCDF", "vtkMPASReader"),
         "SLAC": Format("vtkIONetCDF", "vtkSLACReader", takes_path="SetMeshFileName"),
         "SLAC particles": Format("vtkIONetCDF", "vtkSLACParticleReader"),
         "UGRID": Format("vtkIONetCDF", "vtkNetCDFUGRIDReader"),
@@ -205,14 +216,25 @@ NOT_READ = {
     "flat pictures, or slices with a file each": """
         vtkBMPReader vtkDEMReader vtkGESignaReader vtkHDRReader vtkJPEGReader vtkPNGReader vtkPNMReader vtkTGAReader""",
     "bytes whose sizes no header tells": "vtkImageReader vtkImageReader2 vtkVolume16Reader",
-    "what only one program writes, with no small file of it to be had": """
-        vtkFLUENTCFFReader vtkMFIXReader vtkMPASReader vtkNetCDFCAMReader vtkTRUCHASReader vtkVeraOutReader""",
 }
 
 
 def reader_class(form):
     """Raises ImportError or AttributeError where this VTK has no such module or class."""
     return getattr(importlib.import_module(f"vtkmodules.{form.module}"), form.reader)
+
+
+def has_bytes(path, wanted):
+    if os.path.getsize(path) == 0:
+        return False
+    with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
+        return content.rfind(wanted) >= 0
+
+
+def cells_of_cam(path):
+    """The file, of those beside it, with the cells of its columns; None if there is none."""
+    names = glob.iglob(os.path.join(glob.escape(os.path.dirname(os.path.abspath(path))), "*.nc"))
+    return next((name for name in sorted(names) if has_bytes(name, b"element_corners")), None)
 
 
 class Scene:
@@ -289,6 +311,11 @@ def make_reader(form, path):
         reader.Update()  # it knows of no arrays before
         for i in range(reader.GetNumberOfParticleArrays()):
             reader.SetParticleArrayStatus(reader.GetParticleArrayName(i), 1)
+    elif form.reader == "vtkNetCDFCAMReader":
+        reader.SetConnectivityFileName(cells_of_cam(path))
+    elif form.reader == "vtkVeraOutReader":
+        reader.UpdateInformation()
+        reader.GetOutputInformation(0).Set(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP(), 1.0)  # steps begin there
     elif form.reader == "vtkSLACReader":
         reader.ReadMidpointsOff()  # of edges, which few meshes have
     elif form.reader == "vtkCesium3DTilesReader":

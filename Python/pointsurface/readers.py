@@ -4,7 +4,6 @@
 import glob
 import importlib.util
 import json
-import mmap
 import os
 import re
 import struct
@@ -74,6 +73,8 @@ def read(path, tell=False):
             _make_arrays_plain(data)
         if extension == "cube":
             _place_cube(path, data)
+        if form and form.reader == "vtkMPASReader" and data.GetNumberOfPoints() > 0:
+            data = _without_first_point(data)
     if isinstance(data, vtkImageData):
         _check_volume(path, data)
     else:
@@ -111,13 +112,22 @@ def _kind_of_enzo(path):
 
 def _kind_of_flash(path):
     """By names in HDF5, which are as they are."""
-    return "particles" if _has_bytes(path, b"tracer particles") and not _has_bytes(path, b"node type") else None
+    has_particles, has_levels = (formats.has_bytes(path, name) for name in (b"tracer particles", b"node type"))
+    return "particles" if has_particles and not has_levels else None
+
+
+def _kind_of_hdf5(path):
+    """By names, which are as they are."""
+    return _kind_by_bytes(path, {b"Nodal Coordinates": "TRUCHAS", b"axial_mesh": "VERA"})
 
 
 def _kind_of_netcdf(path):
-    for name, kind in ((b"tetrahedron_interior", "SLAC"), (b"particlePos", "SLAC particles"), (b"mesh_topology", "UGRID")):
-        if _has_bytes(path, name):
-            return kind
+    kinds = {b"tetrahedron_interior": "SLAC", b"particlePos": "SLAC particles", b"mesh_topology": "UGRID"}
+    return _kind_by_bytes(path, {**kinds, b"cellsOnVertex": "MPAS", b"ncol\0": "CAM"})
+
+
+def _kind_by_bytes(path, kinds):
+    return next((kind for name, kind in kinds.items() if formats.has_bytes(path, name)), None)
 
 
 def _kind_of_obj(path):
@@ -143,6 +153,7 @@ def _kind_of_xyz(path):
 _KINDS = {
     "amrex": _kind_of_plotfile,
     "flash": _kind_of_flash,
+    "h5": _kind_of_hdf5,
     "hierarchy": _kind_of_enzo,
     "nc": _kind_of_netcdf,
     "ncdf": _kind_of_netcdf,
@@ -150,13 +161,6 @@ _KINDS = {
     "out": _kind_of_vasp,
     "xyz": _kind_of_xyz,
 }
-
-
-def _has_bytes(path, wanted):
-    if os.path.getsize(path) == 0:
-        return False
-    with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
-        return content.rfind(wanted) >= 0
 
 
 def _extension(path):
@@ -175,6 +179,7 @@ def _read_with_vtk(path, extension, form, tell):
         _CHECKS[extension](path)
     if form:
         _require_reader(form, path)
+        _require_cells(form, path)
     if form and form.is_tried:
         _try(form, extension, path)
     with complaints() as said:
@@ -199,13 +204,18 @@ def _require_reader(form, path):
         ) from None
 
 
+def _require_cells(form, path):
+    if form.reader == "vtkNetCDFCAMReader" and formats.cells_of_cam(path) is None:
+        raise UnreadableFile(f"{path} has columns of CAM; a file .nc with their cells (element_corners) is needed beside it")
+
+
 # A trial that goes on for longer has lost its way: this, and so much more for each megabyte.
 _TRIAL_SECONDS = 30.0
 _TRIAL_SECONDS_PER_MEGABYTE = 2.0
 
 # What has its data in other files: of the same folder, or of folders in it.
-_HEADERS = """amrex cas case cfg d3plot dcm encas foam h h5rage hierarchy json mhd nek5000 p3d pio smv sos vpc vrt wind xdmf
-    xmf""".split()
+_HEADERS = """amrex cas cas.h5 case cfg d3plot dcm encas foam h h5rage hierarchy json mhd nek5000 p3d pio res smv sos vpc vrt
+    wind xdmf xmf""".split()
 _HEADERS_OF_FOLDERS = ("amrex", "foam", "h5rage", "json", "pio", "vpc", "wind")
 
 
@@ -410,6 +420,21 @@ def _netcdf_bytes(file, offset_bytes):
     return needed
 
 
+def _check_res(path):
+    """VTK takes what it finds in memory for the part of a file that is missing, and crashes where there are no steps."""
+    with open(path, "rb") as file:
+        head = file.read(2048)
+    sizes = np.frombuffer(head[1536:1596].ljust(60, b"\0"), ">i4").tolist()
+    along, cells = sizes[9:12], sizes[13]
+    if not head.startswith(b"RES = ") or min(along) < 1 or np.prod(along) != cells:
+        raise UnreadableFile(f"{path} is no restart file of MFIX: its header makes no sense")
+    needed = 2048 + 8 * sum(along) + 4 * cells
+    if os.path.getsize(path) < needed:
+        raise UnreadableFile(f"{path} is cut short: it needs more than {needed} bytes, not {os.path.getsize(path)}")
+    if not glob.glob(glob.escape(path[:-4]) + ".SP[1-9AB]"):
+        raise UnreadableFile(f"{path} has no steps: files with its name that end with SP1 to SPB are needed beside it")
+
+
 def _check_tag(path):
     """VTK takes the points that are there."""
     with open(path, "rb") as file:
@@ -490,7 +515,7 @@ def _check_d3plot(path):
     while os.path.exists(f"{path}{number:02d}"):
         last = f"{path}{number:02d}"
         number += 1
-    if not any(_has_bytes(last, struct.pack(order + kind, -999999)) for order in "<>" for kind in "fd"):
+    if not any(formats.has_bytes(last, struct.pack(order + kind, -999999)) for order in "<>" for kind in "fd"):
         raise UnreadableFile(f"{last} is cut short, or not of LS-DYNA: it does not have the number -999999 at its end")
 
 
@@ -533,6 +558,7 @@ _CHECKS = {
     "mrc": _check_mrc,
     "pcd": _check_pcd,
     "ply": _check_ply,
+    "res": _check_res,
     "stl": _check_stl,
     "tag": _check_tag,
     "tri": _check_tri,
@@ -578,17 +604,29 @@ def _plain(array):
     return copy
 
 
+def _without_first_point(cloud):
+    """VTK's reader of MPAS puts one before the others, in the middle of the earth."""
+    data = cloud.GetPointData()
+    arrays = {data.GetArrayName(i): vtk_to_numpy(data.GetArray(i))[1:] for i in range(data.GetNumberOfArrays())}
+    return make_cloud(vtk_to_numpy(cloud.GetPoints().GetData())[1:], arrays=arrays)
+
+
 def _even_volume(path, grid):
+    """Of what cells have, where that is all, the places are their centres."""
     coordinates = [vtk_to_numpy(getattr(grid, f"Get{axis}Coordinates")()).astype(float) for axis in "XYZ"]
+    data = grid.GetPointData()
+    if data.GetNumberOfArrays() == 0:
+        data = grid.GetCellData()
+        coordinates = [(values[1:] + values[:-1]) / 2 if values.size > 1 else values for values in coordinates]
     steps = [np.diff(values) for values in coordinates]
     for axis, step in zip("xyz", steps):
         if step.size and not np.allclose(step, step.mean(), rtol=1e-4, atol=0):
             raise UnreadableFile(f"{path} is unevenly spaced along {axis}: resample it to a vti first (vtkResampleToImage)")
     volume = vtkImageData()
-    volume.SetDimensions(grid.GetDimensions())
+    volume.SetDimensions([values.size for values in coordinates])
     volume.SetOrigin(*(values[0] for values in coordinates))
     volume.SetSpacing(*(step.mean() if step.size else 1.0 for step in steps))
-    volume.GetPointData().ShallowCopy(grid.GetPointData())
+    volume.GetPointData().ShallowCopy(data)
     return volume
 
 

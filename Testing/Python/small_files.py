@@ -244,8 +244,11 @@ def write_enzo_particles(path):
     )
 
 
-def write_netcdf(path, dimensions, variables):
-    """The classic format: lengths by name; of each variable its dimensions' numbers, values (>f4, >f8, >i4), attributes."""
+def write_netcdf(path, dimensions, variables, title=None):
+    """The classic format: lengths by name; of each variable its dimensions' numbers, values (>f4, >f8, >i4), attributes.
+
+    title: the attributes of the whole.
+    """
     kinds = {">f4": 5, ">f8": 6, ">i4": 4}
 
     def named(name):
@@ -254,15 +257,19 @@ def write_netcdf(path, dimensions, variables):
     def count(kind, items):
         return struct.pack(">2i", kind if items else 0, len(items))
 
+    def listed(attributes):
+        content = count(12, attributes)
+        for key, value in attributes.items():
+            is_text = isinstance(value, str)
+            content += named(key) + (struct.pack(">i", 2) + named(value) if is_text else struct.pack(">3i", 4, 1, value))
+        return content
+
     def header(offset):
         content = b"CDF\x01" + bytes(4) + count(10, dimensions)
         content += b"".join(named(name) + struct.pack(">i", length) for name, length in dimensions.items())
-        content += struct.pack(">4i", 0, 0, 11, len(variables))
+        content += listed(title or {}) + struct.pack(">2i", 11, len(variables))
         for name, (axes, values, attributes) in variables.items():
-            content += named(name) + struct.pack(f">{len(axes) + 1}i", len(axes), *axes) + count(12, attributes)
-            for key, value in attributes.items():
-                is_text = isinstance(value, str)
-                content += named(key) + (struct.pack(">i", 2) + named(value) if is_text else struct.pack(">3i", 4, 1, value))
+            content += named(name) + struct.pack(f">{len(axes) + 1}i", len(axes), *axes) + listed(attributes)
             content += struct.pack(">3i", kinds[values.dtype.str], values.nbytes, offset)
             offset += values.nbytes
         return content
@@ -304,6 +311,44 @@ def write_ugrid(path):
         "height": ((0,), np.arange(4, dtype=">f8"), {"location": "node", "mesh": "mesh"}),
     }
     write_netcdf(path, {"nodes": 4, "faces": 2, "three": 3}, variables)
+
+
+def write_mpas(path):
+    """The cells' centres, with heights, and which of them meet."""
+    axes = {f"{axis}Cell": ((0,), CORNERS[:, i].astype(">f8"), {}) for i, axis in enumerate("xyz")}
+    meeting = (np.array(FACES) + 1).astype(">i4")
+    variables = {**axes, "cellsOnVertex": ((1, 2), meeting, {}), "height": ((3, 0), np.arange(4.0).astype(">f8")[None], {})}
+    dimensions = {"nCells": 4, "nVertices": 4, "vertexDegree": 3, "Time": 1, "nVertLevels": 1}
+    write_netcdf(path, dimensions, variables, {"on_a_sphere": "YES"})
+
+
+def write_cam(path):
+    """Columns at the corners' places, on two levels, with heights, and beside it the file with the cell of them."""
+    variables = {
+        "time": ((0,), np.zeros(1, ">f8"), {}),
+        "lev": ((1,), np.arange(2.0).astype(">f8"), {}),
+        "lon": ((2,), CORNERS[:, 0].astype(">f8"), {}),
+        "lat": ((2,), CORNERS[:, 1].astype(">f8"), {}),
+        "height": ((0, 1, 2), np.arange(8.0).astype(">f8").reshape(1, 2, 4), {}),
+    }
+    write_netcdf(path, {"time": 1, "lev": 2, "ncol": 4}, variables)
+    cell = np.array([[1], [3], [2], [4]], ">i4")
+    write_netcdf(path.with_name("cells.nc"), {"four": 4, "ncells": 1}, {"element_corners": ((0, 1), cell, {})})
+
+
+def write_mfix(path):
+    """3 x 3 x 3 cells of 3 x 2 x 1, in records of 512 bytes, and a step."""
+
+    def record(content=b""):
+        return content.ljust(512, b"\0")
+
+    sizes = [2, 2, 2, 1, 1, 1, 2, 2, 2, 3, 3, 3, 9, 27, 0]  # first, inner, last and all cells along each axis; in all; solids
+    content = record(b"RES = 01.00") + 2 * record() + record(struct.pack(">15i4d", *sizes, 1, 3, 2, 1))
+    content += b"".join(record(struct.pack(">3d", *[size] * 3)) for size in (3, 2, 1))
+    content += record(b"".join(name.ljust(length) for name, length in ((b"", 120), (b"", 32), (b"CARTESIAN", 16))))
+    path.write_bytes(content + 120 * record())  # boundaries: none
+    step = record(struct.pack(">f", 0)) + record(struct.pack(">27f", *range(27)))
+    path.with_suffix(".SP1").write_bytes(2 * record() + record(struct.pack(">2i", 6, 2)) + step)
 
 
 def write_sep(path):
@@ -387,4 +432,52 @@ of/lR8vnn7fYviow3vmM8VTMs3ZB/mJSO/08Wz4R70tF6xXusPnbBP2NBt8T5z2PWbsu6DsLbBz/yLJ2
 uxvxxaxKsm8JGcIbPw3gje1E9Bc+L4f1lz1N9BfRX/r9Bd866GisHYz+o/wqn3Jd1G6LZ3EWdRGrWOrEdfGzykZIsuoizxuG1UX1Acu3BMa7LmI5/MLxTrze
 AvmC4yHFY9VFJaqLxbl4e8zG2sN4O4zj9XlRF0+3Ln5NSF08L398vxT+SBN26nT0+fMv8MMMt3Ky5s/8/n3o+6FPRN8UfbPfF3H+tLvA2tXsSuu5bXn26qpD
 3b7u2l44csa5VjhnpobnT7icqK/mBvRNnBt1nsV/T+yvm49G65vtp6Jv+sA3t6aOXRf/gOsLCamL8f5QuXg6uj/mJliGebH98R/ljTXm
+"""
+
+# Fluent's case of a tetrahedron: zones of its nodes, cell and faces.
+FLUENT = """
+eNrtXL1zGkcUvzvAIBmPZHlGllSRrwljOxOUKGNsZyIcSzaayDaOSEISZQKBk2EGcUwOT3AqlWQmhYoUKlK4SKEuKvUnUKqkTOlSJZ3CsbvHveW+BELDx3sea3l3
+b9nj3W/fvt+7jz/ia4+vTS9NC5oEAoJXmBWMckYl/AvU2f40bUXa1mh7KLHtYnvfAt1+nX4/b5f8en1dsz7jhI3zn4+0AQFlEiW+/jChtSmqh2hbl6CdKlcqhdJL
+lem7spqX1Q4+o+cc1wq/cQ/R8z4jfgVL/KIgfo34ZXGs5uPxRiRxQeNuPXu+JgqSjt+wnxuH6uUpeFwhD7Tj8T5pYhUHeP85rWOHQVzHMA504gDLtvanoN0yFw/i
+feN3CuB3lo58eo3oDdEdfmtziF/Eb3celghCu5KS09IuISsXi1q7k8m29V7zMLKOiTru3k7B+TFLGIwQCeI5shO2bvH+CtIzIgpXW58D7fP3fGenlU534hTxfQz4
+nbWd/tN6/0fKq1JFsO/vFczH13DTz/hafzfjixbja3jtZ3ytf2+/n/TPFXblklpQSqx/gNmGQH+PQ35yOkP7z7mL7/vzGN8xvnfH98gctPtdKclJpawUlZevNT2r
+KL/m1H7ju0fPh44+gPOrQfXmh6RlOG/cgnahz0gbuwtxXJ+Bdvy8GB+e4jHN8xo3Ia90igPRdzAOYBzoxIEIw8U8tNstlDZyWpuptttCjmzn1y8278LnrFc078H+
+9Q2a/30F8XlyA9o1qb4wP9l5Hu+HID2TouAnedoPrUCuOuc3ouAjn0WmkzMkiqKpvRbJRZO8x9fStO2SJInk/JHv8YjRRfOIsz+kcRbmbyLIxWArGfZJFv09Bhvj
+ZybKq4payMl08Vq1P7je93voP/ZzJHqoEj1U9lO8dLuX6iL3HwUFBQUFZSyF5KlenR+/ed/enuWz++/Z2zH+u/euvR3LksILo85XB51XxkYsr+zRH1x90Nof8UWY
+eY6pP1zjY3PE8GFe5+XrY071nchtrO9gfadT32F4WuAKNHydl82zWM/4Na9PVu8Q3W19svER4hfxKwhHAsRNecU+TvLXB6zwePAAfi/M+zrXocthuP4cUP34Fp4j
+O2Hng/fX8NYnkyOVJxCcXtHr9olP7O1ZPE9/am/H+E5s2R3fiUTc8Z3Qx+74Tv3OuOWf28hPgD9yyE+AP/KID+CP8mTgw7U/KiPlDyZurxtr93ElX5dl1i+bLxRz
+Wk6wkQN+Sw/oOJ14SOI+8hDkId33SaTv2vNo/f5Y2iG7DONA2BUuJUtcNj+HeVj5CTw+lMnix3tsVXhkz4/5+2us+HHiBdFTprzDcF3ke4jrOtXf/ghxPvsztItS
+PZWBOA7dh3bHz2g9KMHF4ducHZ2PjXujxY/54x5eflwdQX7s0+s7sTV3vDcdc8ej9760tyuz73vsjkcnVocTp4PH1R7yH+CPGvJj4I8/ER/AH38hPwb+OBhrftzm
+FQZ+rD13ZMeX1Xwmp/zW2bBTzLRfllDK7MpGP0eG5vz9jXgG/niD/gD++Gek/MHyTnbdI/aFvb3+vOsDe7sq4zkOD4qzOlli3d6Ozf/yw3HJOwl+brT++G3xdEjx
+5OdGPBjq9cKpTll+inVKrAd1v3cisAntLv69E35unpKKj0imHXj+xUz3tOalZnk9tKrzgZWrwsoZNbCex/8uwojH10+utOsnLM9yfr6b60fzMqfnuvkZx98/kt5E
+bA4i3uWTGO8w3nXHu2ZisPFOr9tydemu92NsydlKi8aphuOzr996TevwR98QveZyXsS/g/5Amex5oeMpCe1K9AIlu07Z732//Lp3+ALi+4Tqp1t4jtzEF95fl53X
+OPEvb1c+1+H1kiECWedvM0vmK/gw83pJP9rot/b2+nvfUojp8/D6oI5bDleC23rRzSVY4Rj2+pn59ff0NtFTLtf9+k+YD+O6b8L/ty8nH+bv++g/H/b3tv64jhNP
+lswy5cuvH4R6yq+OtxHzFxlvTzJm8Rbf943iLt6yeVnN8HgjclHv+2bxlr9/rtd4y+R/0C+EQQ==
+"""
+
+# Truchas': a tetrahedron, with "height", 0 to 3, at its nodes.
+TRUCHAS = """
+eNrtWjtvGkEQ3gUMJ+JIIDuK87B8keMElFhyJBd0hvgOHQrGKBDJ7kDxKZzEQzKXyOkoUjgdZcqULl26TOkyPyGlS0p35I6bBXbN82IUWcwnodHsDnvH7sy3M8t+
+15Tk/eDjILEhScRHQqQfbcDBJq+z/gJICvIU5JmHtdNO3wq0h2F80S7/XlVt67aA7ouEOIGYM2hqImvLA9BlkJce3m5Pr5f0OiE5o/K5XDSNWrXO+WdsyudSsuB8
+lzI94kiP0+ADOy9IUfdanm9bhuUdInVa4mT7Htlug8GC1Wr3ezzOgBJEipeCeTfCGE7+6zoMi+cD+OEn/sniubTkSAldG+O5j9d/+Hk7RU0mPqTz3fjVZuS/WtjR
+VwKD34/xRizAj5epHRXL8m6tdnxkVIumXod2taxX9Kpp9VSr+kfT+GKYX/t5SJ7y/aSHjh55NNruJ/T/ejLNrLR2ZtVP4eMBTvQJHzp8rDgwRByjBYFAIBCI20Uu
+s69Qa3dmefiWj6/nxbye5WnNAG8n5ifzhnH1zvky1jsYZ92inrT8fPyI9QdiNF+x+un6wWh7Nt+yF+eOr8tGn2tRYf5E3WvtBHZbSGJnXs6KDD/PKkiDK9/GneDv
+2FPk73nGsPMqTch39hKpDMfrM/bLuIx+iX7Z88sIyD/C+V9OPzb0uqwUzWJHz9Sqm/W+NuavWy7zmQuhHnB3DjmP+/Dgc9yzVUe/XJuMB7TnyAPIAz0eYP50tTaQ
+B94QIa+L/2M+zp53/YIfV34J40d5/2ys8naiv88fD3g5HggBDzQ34Bxmwnwg9Bp5AHngZp7aWuftSrrxqWTeXp4q5gOnz/j4Pgf99zqu0Siw/V+cr0X4B9qu25et
+WTaNit6xH3KvhI6t9x2moZSv96nr+r4BS+8Tnty8U3mXuF+N49uLKPIt8u1Nvi1Eebu36f3ddyllZnx7tYFr4Y4H/CN5kbFZ716f2/t83waefy5CxU1J0LKVSDKl
+ppX8YVaF/iXK35Oxlh26sjOZD9GvyCv0ETf4C+0pG30=
+"""
+
+# Vera's: an assembly of 5 x 5 pins, of 3 levels of 3, with volumes of 0 to 74, x fastest, and ten times these as powers.
+VERA = """
+eNrtmMtPE1EUh++0hTQ1JkUxqcTFxBDTGGOKouKTQSgWUUBoTI2JpWpVFGhtBYovxhfijqVLli75E7pk6dIlS5f8B9j2frdyJynFupBKz+bruefM/Z37mpnOl0hf
+/35fm08UzesVHuEXW20T+9Gm+yo+Dg24BL+5VLtRigVob6F/Z150NBwuZm86rFyIX0PD9phFwj0jRcbwTbjm0vN6h0fDRY5Fe6LheCgU6tD3Z9cf6hqiSV5rKF/u
+ZMOQDR7yFN2FeDHSYnYLb6nFEp37ROemW8abCq3FuMvlKnXgpT+3QXp5ZMJxonaHVTrPMSYg17yz8xxpqW09GvZ/nucI/Nqs5yVyE4nJ+FQy+0T6D1KZZHwqkVbx
+kp+dn1J+emI6PpuanClcoZ17f8XzHJSUx7GcX4nuQk/F336vOvNmlXNtevU7hDJ7F66K15IMwKOWsWXsv+088QHYCq9I2oP47fg9+EPwJOyTtEbwO8nvh7do3+iW
+vED7gKPObngDHoNXyVe6IXx0baV7Bl6TzCtdAS/C6/AItOhH6Qbx0RXDsAOG6V/pniUfXTFq6etwibjSNfHRFTfhcdhLXOmewkdXqHGdgxHmX+n64WU4WN4Hkqyj
+rXRP4KMr1LhOQ9bRUrpd5KNrK12HWSmuW9D3WT4jGXpH+x3J9Rni7+F94vOSIx/xJyTN11z3Sd+nVpr2BX2/jmepF137LpyV9H8g/6HkCror6FpPqQvd0KK+39fR
+tWzHvn8h+V2N9x71z1EXulYSvpTcQNd+Rt4b/EXHOX0uuYyuiFI3uibzaY1TP7qr6NqPqB9di/nMT9LfW+pf1M+7yTquq/He5nrWMY2unaD+HNczrvxj4q+oX63j
+NPWja362Gk/ahjWsso0NDfcZwqX+fIiQR3/fcb7Xq/eo/CE97ye+N7CX59FTnkfTvX2+mqaN5u3zgnD5wPZ56n/UysH6nsdq/7f//n28vcL7+HKdzIf8p2R4DMYp
+NLod81MtXvv3iiDzGHN8gYntsv1R6/hsH3e0uvwe47wfV/seYwf0+1LD9vb3GPXcCTo2RDKXTmVnMsmt31vSqblkJqufu1CN7x+rrTt7bq4dbqxZfTwnlnz/4jnx
+C7ZaDf8=
 """

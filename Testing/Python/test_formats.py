@@ -324,7 +324,11 @@ def test_volumes_of_levels(tmp_path, extension):
 OF_CONTENT = {
     ("amrex", "particles"): small_files.write_amrex_particles,
     ("flash", "particles"): lambda path: unpack(small_files.FLASH_PARTICLES, path),
+    ("h5", "TRUCHAS"): lambda path: unpack(small_files.TRUCHAS, path),
+    ("h5", "VERA"): lambda path: unpack(small_files.VERA, path),
     ("hierarchy", "particles"): small_files.write_enzo_particles,
+    ("nc", "CAM"): small_files.write_cam,
+    ("nc", "MPAS"): small_files.write_mpas,
     ("nc", "SLAC"): small_files.write_slac,
     ("nc", "SLAC particles"): small_files.write_slac_particles,
     ("nc", "UGRID"): small_files.write_ugrid,
@@ -339,6 +343,14 @@ def test_every_reader_that_the_content_tells_has_a_file():
     assert set(OF_CONTENT) == {(e, kind) for e, kinds in BY_CONTENT.items() for kind in kinds if e != "ncdf"}
 
 
+def check_core(volume):
+    """Vera's values are of cells: of pins that are 20 / 5 wide."""
+    assert volume.GetDimensions() == (5, 5, 3)
+    assert np.allclose(volume.GetOrigin() + volume.GetSpacing(), (2, 2, 1.5, 4, 4, 3))
+    for name, factor in (("pin_volumes", 1), ("pin_powers", 10)):
+        assert np.array_equal(vtk_to_numpy(volume.GetPointData().GetArray(name)), factor * np.arange(75))
+
+
 @pytest.mark.parametrize("extension, kind", OF_CONTENT)
 def test_formats_that_the_content_tells(tmp_path, extension, kind):
     """Their extension is that of another one. (Of AMReX it is a folder in that of the plotfile.)
@@ -351,9 +363,14 @@ def test_formats_that_the_content_tells(tmp_path, extension, kind):
     path = tmp_path / ("particles" if extension == "amrex" else f"four.{extension}")
     OF_CONTENT[extension, kind](path)
     cloud = read(str(path))
-    expected = CORNERS * (1, 1, 0) if kind == "UGRID" else CORNERS
+    if kind == "VERA":
+        check_core(cloud)
+        return
+    expected = CORNERS * (1, 1, 0) if kind in ("CAM", "UGRID") else CORNERS
+    if kind == "CAM":
+        expected = np.concatenate([expected + (0, 0, 1), expected])
     assert np.allclose(vtk_to_numpy(cloud.GetPoints().GetData()), expected)
-    if extension in HEIGHTS or kind == "UGRID":
+    if extension in HEIGHTS or kind in ("MPAS", "TRUCHAS", "UGRID"):
         heights = cloud.GetPointData().GetArray(HEIGHTS.get(extension, "height"))
         assert vtk_to_numpy(heights).tolist() == [0, 1, 2, 3]
 
@@ -607,6 +624,7 @@ BOXES = {
     "nek5000": small_files.write_nek5000,
     "p3d": write_plot3d,
     "pio": small_files.write_pio,
+    "res": small_files.write_mfix,
     "sgy": write_segy,
     "wind": small_files.write_wind,
 }
@@ -617,6 +635,7 @@ POINTS = {
     "bts": small_files.write_bts,
     "byu": write_byu,
     "cas": write_fluent,
+    "cas.h5": lambda path: unpack(small_files.FLUENT, path),
     "case": write_ensight,
     "cfg": small_files.write_motion,
     "cml": lambda path: path.write_text(CML),
@@ -672,6 +691,9 @@ def test_points(tmp_path, extension, capfd):
     expected = BOX.reshape(3, -1).T if extension in BOXES else CORNERS
     if extension == "sgy":
         expected = expected * (1, 1, -1)  # time goes down
+    if extension == "res":
+        expected = np.stack(np.meshgrid(*(np.arange(-1, 3) * size for size in (3, 2, 1))), axis=-1).reshape(-1, 3)
+        points, expected = np.unique(points, axis=0), np.unique(expected, axis=0)
     if extension == "wind":
         expected = expected + (0, 0, 0.5)
     if extension == "json":
@@ -705,7 +727,7 @@ def test_scenes_need_no_display(tmp_path, extension, monkeypatch, capfd):
     assert capfd.readouterr() == ("", "")
 
 
-LOOKED_AT = ("amrex", "cube", "d3plot", "dcm", "h", "mrc", "ply", "stl", "tag", "tri")  # before a reader is asked for
+LOOKED_AT = ("amrex", "cube", "d3plot", "dcm", "h", "mrc", "ply", "res", "stl", "tag", "tri")  # before a reader is asked for
 
 
 @pytest.mark.parametrize("extension", FORMATS)
@@ -732,7 +754,7 @@ def test_broken_files(tmp_path, extension, content, capfd):
     assert capfd.readouterr() == ("", "")
 
 
-CUT = "3ds avm b3dm bts cgns cube erfh5 exo facet flash gml h5 h5part inp mnc nc nek5000 neu omf out slc tag vtkhdf x3d"
+CUT = "3ds avm b3dm bts cas.h5 cgns cube erfh5 exo facet flash gml h5 h5part inp mnc nc nek5000 neu omf out slc tag vtkhdf x3d"
 
 
 SHARES = [(e, s) for e in CUT.split() for s in (0.9, 0.5)] + [("byu", 0.5), ("case", 0.5), ("tri", 0.9)]
@@ -772,6 +794,18 @@ def test_files_cut_short_beside_a_header(tmp_path, extension, share):
     content = companion.read_bytes()
     companion.write_bytes(content[: int(len(content) * share)])
     check_fault(path)
+
+
+def test_steps_and_cells_that_are_missing(tmp_path):
+    """Beside a restart file of MFIX, and beside columns of CAM."""
+    small_files.write_mfix(tmp_path / "run.res")
+    (tmp_path / "run.SP1").unlink()
+    check_fault(tmp_path / "run.res", "has no steps", "SP1")
+    (tmp_path / "run.res").write_bytes((tmp_path / "run.res").read_bytes()[:2100])
+    check_fault(tmp_path / "run.res", "cut short")
+    small_files.write_cam(tmp_path / "columns.nc")
+    (tmp_path / "cells.nc").unlink()
+    check_fault(tmp_path / "columns.nc", "element_corners")
 
 
 def test_a_reader_that_does_not_come_to_an_end(tmp_path, monkeypatch):
