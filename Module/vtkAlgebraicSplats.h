@@ -112,7 +112,7 @@ public:
 
   ///@{
   /**
-   * The radius of a splat's disc is Overlap times Quality times h, 1 or more; the paper has 1
+   * The radius of a splat's disc is Overlap (1 to 10) times Quality times h; the paper has 1
    * (section 2.3.2), which leaves holes of the size of the points' spacing. Over 1, a disc of
    * HOLE_FREE is large enough to cover these, too: Quality times h and three quarters of the
    * spacing, which is more where NumberOfNeighbors or Quality is small. Default: 1.3.
@@ -153,7 +153,8 @@ public:
   /**
    * Where the neighbours lie to one side, as at a border or an edge of a thin part, a polynomial of
    * higher order runs wild on the other one. A splat gets the highest order that amplifies an error
-   * of its neighbours by no more than this factor on the rim of its disc; 0: no limit (the paper).
+   * of its neighbours by no more than this factor at Overlap times Quality times h from its centre,
+   * which is the rim of its disc where that is no larger; 0: no limit (the paper).
    * Where that is lower than wanted, the farther half of the neighbours is first left out, and
    * again while 16 or more are left, and the disc moves away from the border as long as it covers
    * what the splat stands for: so it is less far over the border (both not for FIXED_COUNT).

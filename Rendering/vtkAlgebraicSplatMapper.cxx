@@ -168,13 +168,13 @@ void vtkAlgebraicSplatMapper::UploadSplats(vtkOpenGLRenderWindow* window, bool c
 {
   vtkInternals& internals = *this->Internals;
   size_t bytes = 0;
-  const bool isNew = internals.UploadedTime != internals.SplatsTime.GetMTime();
-  if (isNew)
+  if (internals.UploadedTime != internals.SplatsTime.GetMTime())
   {
     bytes += internals.Tracing.Upload(window, internals.Splats);
     internals.UploadedTime = internals.SplatsTime.GetMTime();
+    internals.UploadedColorsTime = 0; // the colours uploaded before are those of the splats before
   }
-  if (colors && (isNew || internals.UploadedColorsTime != this->GetPointColorsTime()))
+  if (colors && internals.UploadedColorsTime != this->GetPointColorsTime())
   {
     bytes += internals.Tracing.UploadColors(
       window, internals.Splats, [this](unsigned int id) { return this->GetPointColor(id); },

@@ -42,7 +42,6 @@ from pointsurface.formats import BY_CONTENT, FORMATS, NOT_READ
 from pointsurface.readers import read
 
 
-
 def cell():
     grid = tetrahedron()
     grid.InsertNextCell(VTK_TETRA, 4, (0, 1, 2, 3))
