@@ -48,8 +48,8 @@ public:
    * the sampling distance, 0 to 1. The paper (section 3.1) takes the least of them, 0, which a
    * single pair of near points spoils. It is estimated once, from 10000 of the points, from all of
    * them for 0, and not at all where Radius is set. A part of a cloud that is spread over processes
-   * has the distance of the whole, by the quantile of vtkGhostPointsGenerator instead. Default 0.98,
-   * in clouds sampled at random 1.1 times the distance of an even grid of as many points.
+   * has the distance of the whole, by the quantile of vtkGhostPointsGenerator instead. Default
+   * 0.98, in clouds sampled at random 1.1 times the distance of an even grid of as many points.
    */
   vtkSetClampMacro(SamplingQuantile, double, 0.0, 1.0);
   vtkGetMacro(SamplingQuantile, double);

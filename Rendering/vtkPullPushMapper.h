@@ -109,8 +109,8 @@ public:
 
   ///@{
   /**
-   * Where the cloud's typical radius is projected to under 2.5 pixels (of those that are drawn, more
-   * than are shown with Supersampling), average a pixel of the finest level that stays with
+   * Where the cloud's typical radius is projected to under 2.5 pixels (of those that are drawn,
+   * more than are shown with Supersampling), average a pixel of the finest level that stays with
    * the coarser ones around it whose discs cover it at its depth, by their weights there, so that
    * dense clouds flicker less; in the paper (section 3.3) it stays as it is. Its id is its own
    * point's. Default on.

@@ -553,6 +553,25 @@ def test_sphere_is_closed_round_and_selectable(backend, tmp_path):
     assert mapper.GetLastFramePointsDrawn() in (0, splats.GetNumberOfPoints())
 
 
+@pytest.mark.parametrize("backend", [1, 2])
+def test_colours_of_splats_that_changed_without_them(backend):
+    """Splats are grouped by order, and so are their colours, which stay the same array here."""
+    poly = sphere(2000)
+    across = (positions(poly)[:, :1] + 1) / 2
+    poly.GetPointData().SetScalars(numpy_to_vtk(np.uint8(255 * np.hstack([across, 1 - across, across, across ** 0])), deep=True))
+    splats = fit(poly, Order=2).GetOutput()
+    mapper, renderer, window = drawn(splats, Backend=backend)
+    mapper.ScalarVisibilityOn()
+    before = rendering.read_color(window)
+    mapper.ScalarVisibilityOff()
+    orders = splats.GetPointData().GetArray("SplatOrder")
+    vtk_to_numpy(orders)[::2] = 1  # planes, whose group was empty
+    orders.Modified()
+    window.Render()
+    mapper.ScalarVisibilityOn()
+    assert np.abs(rendering.read_color(window) - before).mean() < 2 / 255
+
+
 def test_input_without_splats_is_an_error(capfd):
     mapper, renderer, window = drawn(sphere(100), (32, 32))
     window.Render()
