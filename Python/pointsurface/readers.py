@@ -4,6 +4,7 @@
 import glob
 import importlib.util
 import json
+import math
 import os
 import re
 import struct
@@ -499,7 +500,7 @@ def _check_sep(path):
         header = dict(re.findall(r'^\s*(\w+)\s*=\s*"?([^"\n]*)', file.read(), re.M))
     try:
         size = 8 if "double" in header["data_format"] else 4
-        needed = size * int(np.prod([int(header.get(f"n{i}", 1)) for i in range(1, 9)]))
+        needed = size * math.prod(int(header.get(f"n{i}", 1)) for i in range(1, 9))
         data = os.path.join(os.path.dirname(path), header["in"].strip())
     except (KeyError, ValueError) as error:
         raise UnreadableFile(f"{path} is no header of SEP: it makes no sense at {error}") from error
@@ -528,7 +529,7 @@ def _check_vpc(path):
     for name, size in parts:
         with open(name, "rb") as file:
             head = file.read(123)  # ends with how many places the part has along each axis
-        needed = 123 + size * int(np.prod(np.frombuffer(head[-12:], "=i4"))) if len(head) == 123 else 123
+        needed = 123 + size * math.prod(map(int, np.frombuffer(head[-12:], "=i4"))) if len(head) == 123 else 123
         if os.path.getsize(name) < needed:
             raise UnreadableFile(f"{path} cannot be read: {name} is cut short: {os.path.getsize(name)} bytes, not {needed}")
 
