@@ -427,7 +427,7 @@ def _check_res(path):
         head = file.read(2048)
     sizes = np.frombuffer(head[1536:1596].ljust(60, b"\0"), ">i4").tolist()
     along, cells = sizes[9:12], sizes[13]
-    if not head.startswith(b"RES = ") or min(along) < 1 or np.prod(along) != cells:
+    if not head.startswith(b"RES = ") or min(along) < 1 or math.prod(along) != cells:
         raise UnreadableFile(f"{path} is no restart file of MFIX: its header makes no sense")
     needed = 2048 + 8 * sum(along) + 4 * cells
     if os.path.getsize(path) < needed:
