@@ -49,6 +49,7 @@ from .writers import write_whole
 
 FRAMES, WARM_UP = 5, 2
 MOST_SECONDS = 4  # of frames, after which there are no more
+CASE_SECONDS = 900  # at most, for all renderers of a case
 RADIUS = 1.5  # times the mean spacing
 BACKGROUND = 0.2
 OURS = [name for name in METHODS if name != "algebraic-splats"]  # whose fit is no matter of a frame
@@ -388,16 +389,23 @@ def run(arguments):
     os.makedirs(arguments.output, exist_ok=True)
     path = os.path.join(arguments.output, "results.json")
     results = _read_results(path)
+    failed = []
     try:
         for i, case in enumerate(cases):
             if str(case) not in results:
                 announce(f"{i + 1} of {len(cases)}: {case}")
-                results[str(case)] = _measure_apart(case)
+                result = _measure_apart(case)
+                if result is None:
+                    failed.append(str(case))
+                    continue
+                results[str(case)] = result
                 write_whole(path, json.dumps(results, indent=1).encode())
     finally:  # also of a run that is stopped
         measured = [(case, results[str(case)]) for case in cases if str(case) in results]
         if measured:
             _write_report(arguments.output, measured, len(cases))
+    if failed:  # the others are worth having
+        raise WrongUse(f"not measured, see above: {'; '.join(failed)}")
     print(f"Results in {arguments.output}: results.json, results.csv, RESULTS.md and plots")
 
 
@@ -412,11 +420,16 @@ def _read_results(path):
 
 
 def _measure_apart(case):
-    """In a process of its own, so that no measurement finds the memory as another left it."""
+    """In a process of its own, so that no measurement finds the memory as another left it; None where it fails."""
     command = [sys.executable, "-m", "pointsurface", "bench", "--measure", case.scene, str(case.points), str(case.pixels)]
-    result = subprocess.run(command, stdout=subprocess.PIPE, text=True)
+    try:
+        result = subprocess.run(command, stdout=subprocess.PIPE, text=True, timeout=CASE_SECONDS)
+    except subprocess.TimeoutExpired:
+        announce(f"{case} is left out, it took over {CASE_SECONDS} seconds")
+        return None
     if result.returncode:
-        raise WrongUse(f"{case} could not be measured, see above")
+        announce(f"{case} is left out, its process ended with {result.returncode}")
+        return None
     return json.loads(result.stdout.splitlines()[-1])
 
 
@@ -519,7 +532,7 @@ def _markdown(measured, wanted):
     if any(OPEN3D in results for _, results in measured):
         lines += [f"{OPEN3D}'s offscreen renderer draws such points too, each frame with its reading back."]
     if len(measured) < wanted:
-        lines += [f"Stopped after {len(measured)} of {wanted} measurements; the same command goes on."]
+        lines += [f"{len(measured)} of {wanted} measurements are made; the same command goes on."]
     lines += ["", f"![PSNR against milliseconds: {_shown(measured)[0]}](RESULTS.png)"]
     failing = []
     for case, results in measured:

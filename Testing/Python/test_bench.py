@@ -129,7 +129,7 @@ def test_a_run_goes_on_where_it_was_stopped(tmp_path, monkeypatch, capsys):
     with pytest.raises(KeyboardInterrupt):
         bench.run(arguments)
     assert list(json.loads((tmp_path / "results.json").read_text())) == [str(cases[0])]
-    stopped = "Stopped after 1 of 2 measurements"
+    stopped = "1 of 2 measurements are made"
     assert stopped in (tmp_path / "RESULTS.md").read_text()
 
     monkeypatch.setattr(bench, "_measure_apart", lambda case: measured.append(case) or figures)
@@ -143,6 +143,21 @@ def test_a_run_goes_on_where_it_was_stopped(tmp_path, monkeypatch, capsys):
     assert len(rows) == 1 + 2 * len(bench.RENDERERS)
     pictures = {name for name in os.listdir(tmp_path) if name.endswith(".png")}
     assert pictures == {"torus-1000-points-64-x-64.png", "torus-10000-points-64-x-64.png", "over-points.png", "over-density.png", "RESULTS.png"}
+
+
+def test_a_case_that_fails_or_takes_too_long_is_left_out(tmp_path, monkeypatch, capsys):
+    cases = [bench.Case(name, 1000, 64) for name in ("no-such-file.ply", "sphere")]
+    monkeypatch.setattr(bench, "quick_cases", lambda: cases)
+    arguments = types.SimpleNamespace(files=[], full=False, output=str(tmp_path), measure=None)
+    with pytest.raises(WrongUse, match="not measured, see above: no-such-file.ply, 1000 points"):
+        bench.run(arguments)
+    assert "its process ended with 2" in capsys.readouterr().err
+    assert list(json.loads((tmp_path / "results.json").read_text())) == [str(cases[1])]
+    assert "1 of 2 measurements are made" in (tmp_path / "RESULTS.md").read_text()
+
+    monkeypatch.setattr(bench, "CASE_SECONDS", 0.01)
+    assert bench._measure_apart(cases[1]) is None
+    assert "over 0.01 seconds" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(
