@@ -370,6 +370,19 @@ def draw_truth(scene):
     return render_truth(scene.model.mesh, scene.renderer, scene.lit, SIZE, TRUTH_SUPERSAMPLING)
 
 
+def inner_outlines(truth, diagonal):
+    """Share of the true surface's pixels in front of a neighbour whose depth is off by more than 1% of `diagonal`."""
+    depth = truth.depth
+    steps = np.zeros_like(truth.mask)
+    for axis in (0, 1):
+        near, far = (slice(None, -1), slice(1, None))
+        first, second = (tuple(part if i == axis else slice(None) for i in (0, 1)) for part in (near, far))
+        both = truth.mask[first] & truth.mask[second]
+        steps[first] |= both & (depth[second] - depth[first] > 0.01 * diagonal)
+        steps[second] |= both & (depth[first] - depth[second] > 0.01 * diagonal)
+    return np.count_nonzero(steps) / max(np.count_nonzero(truth.mask), 1)
+
+
 def measure(model, view, with_gains=False, pictures=None):
     """The rows of a model and view, and those of the gains.
 
@@ -383,6 +396,7 @@ def measure(model, view, with_gains=False, pictures=None):
     for kind, label, image in draw_rows(scene, truth):
         write_picture(pictures, model, view, kind, image)
         rows.append(Row(model.name, view, kind, label, compare(image, truth, length)))
+        rows[-1].measures["inner_outlines"] = inner_outlines(truth, length)
     gains = measure_gains(scene, view, truth, rows) if with_gains else []
     return rows, gains
 
@@ -494,6 +508,17 @@ def format_summary(rows, noise, name_of_noise):
             + list_cases(zoomed, column, lambda kinds, column=column: kinds[DEFAULT][column] > SHARE_ALLOWED)
             + "."
         )
+    widths = [
+        f"{model} {kinds[DEFAULT]['wrong_depth'] / steps:.2f} ({kinds[SPLATS]['wrong_depth'] / steps:.2f}; "
+        f"{SHARE_ALLOWED / steps:.2f})"
+        for (model, _), kinds in zoomed.items()
+        if (steps := kinds[DEFAULT]["inner_outlines"]) > SHARE_ALLOWED
+    ]
+    lines.append(
+        "Zoomed in, wrong depth as the width in pixels of a band along all inner outlines (pixels in front of one whose "
+        f"depth is off by more than 1% of the diagonal), default (splats; what {100 * SHARE_ALLOWED:g}% comes to): "
+        f"{'; '.join(widths) or 'no inner outlines'}."
+    )
     rows_of_noise = [Row(name_of_noise, view, "noise", "noise", of_view) for view, of_view in noise.items()]
     return "".join(f"- {line}\n" for line in lines) + NOISE_HEAD + format_table(rows_of_noise)
 

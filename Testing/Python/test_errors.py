@@ -56,6 +56,15 @@ def test_views_show_what_they_say(errors, torus):
     assert zoomed.depth[middle[1], middle[0]] == pytest.approx(whole.depth[middle[1], middle[0]], rel=0.01)
 
 
+def test_inner_outlines_are_pixels_in_front_of_a_step(errors):
+    depth = np.full((6, 8), 2.0)
+    depth[2:4, 3:6] = 1  # six pixels, each of them at the rim
+    depth[0] = 0  # nothing there: no inner outline
+    truth = errors.SurfaceImage(None, None, depth)
+    assert errors.inner_outlines(truth, 1) == 6 / 40
+    assert errors.inner_outlines(truth, 101) == 0  # 1% of which is more than the step
+
+
 def test_report(errors):
     name = "bunny" if errors.read_mesh("bunny") is not None else "torus"
     report = errors.make_report([name], ["whole"])
