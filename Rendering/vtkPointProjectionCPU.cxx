@@ -376,6 +376,7 @@ void vtkPointProjectionCPU::Draw(const std::vector<Cloud>& clouds,
   {
     nearest ? this->FindFarthestPoints(part) : this->FindVisiblePoints(part);
   }
+  this->Limits.resize(size);
   this->FetchVisiblePoints(parts, options, image);
   if (options.AveragePoints)
   {
@@ -540,6 +541,7 @@ struct vtkPointProjectionCPU::Footprint
   float Radius;
   float Depth;
   float Center[2];
+  float Reach; // how far behind it points of its pixel are averaged with it
   std::array<float, 4> Color;
 };
 
@@ -588,6 +590,11 @@ void vtkPointProjectionCPU::FetchRow(const std::vector<Part>& parts,
     const unsigned int place = visible[i].second;
     const Part& part = GetPart(parts, place);
     const Footprint point = GetFootprint(part, options, place, x, y);
+    if (options.AveragePoints)
+    {
+      this->Limits[static_cast<size_t>(y - r[1]) * (r[2] - r[0]) + x - r[0]] =
+        point.Depth + point.Reach;
+    }
     image.GetOccupied(y)[x / vtkSurfaceImage::BlockSize] = 1;
     float* pixel = image.GetRow(y, 0) + x;
     const size_t plane = image.GetPlaneStride();
@@ -683,17 +690,12 @@ void vtkPointProjectionCPU::ListCompanions(const Part& part,
   {
     companions.clear();
   }
-  const vtkPointProjectionCPU& cloud = *part.Source->Projection;
-  const float* radii = cloud.Radii;
-  const float scale = part.View.RadiusScale;
-  const float uniform = scale * cloud.GetRadius(0);
   ForSeenPoints(
     part, firstChunk, std::min(firstChunk + RoundChunks, part.GetNumberOfChunks()),
     [&](int pixel, float depth, unsigned int place)
     {
       const std::uint64_t nearest = this->Nearest[pixel].load(std::memory_order_relaxed);
-      const float reach = radii ? scale * radii[part.GetOwnPlace(place)] : uniform;
-      return (GetPlace(nearest) != place) & (depth <= GetDepth(nearest) + reach);
+      return (GetPlace(nearest) != place) & (depth <= this->Limits[pixel]);
     },
     [&](int chunk, int pixel, float, unsigned int place)
     {
@@ -847,6 +849,16 @@ inline vtkPointProjectionCPU::Footprint vtkPointProjectionCPU::GetFootprint(
   }
   point.Depth = -eye[2];
   point.Radius = t.RadiusScale * cloud.GetRadius(place);
+  const float distance = std::sqrt(eye[0] * eye[0] + eye[1] * eye[1] + eye[2] * eye[2]);
+  const float along = t.Parallel
+    ? point.Normal[2]
+    : (point.Normal[0] * eye[0] + point.Normal[1] * eye[1] + point.Normal[2] * eye[2]) / distance;
+  const float slope = std::sqrt(std::max(1.0f - along * along, 0.0f)) /
+    std::max(std::abs(along), 1.0f / vtkPointProjectionOptions::LargestReach);
+  const float pixelSize = w / (t.HalfSize[1] * std::abs(t.Clip[1].Y));
+  point.Reach = point.Radius *
+    std::min(
+      std::max(pixelSize * slope / point.Radius, 1.0f), vtkPointProjectionOptions::LargestReach);
   point.Color = cloud.Colors ? cloud.GetColor(place) : part.Source->Color;
   return point;
 }

@@ -147,7 +147,8 @@ private:
   // vtkPointProjectionCPU.cxx.
   std::unique_ptr<std::atomic<std::uint64_t>[]> Nearest;
   size_t NearestSize = 0;
-  std::vector<float> Limits; // of each pixel, the largest depth where the farthest are looked for
+  std::vector<float>
+    Limits; // of each pixel, the largest depth of what is looked for behind its nearest point
   // For each chunk of points of a round and band of rows, in the order of the points.
   std::vector<std::vector<Companion>> Companions;
   std::vector<BandSums> Sums; // of each band

@@ -12,9 +12,13 @@ struct vtkPointProjectionOptions
   bool SubpixelCenters = false;
   /// Depth is the centre's depth and half of the span around it, not the least and the largest one.
   bool CenterDepths = false;
-  /// The means of the points that fall in the pixel, of those that are behind the nearest one by
-  /// their own radius at most; not the nearest one alone. The id stays that of the nearest one.
+  /// The means of the points that fall in the pixel, not the nearest one alone: of those that are
+  /// behind it by its radius at most, or by what its plane is within a pixel. The id stays that of
+  /// the nearest one.
   bool AveragePoints = false;
+  /// How far behind the nearest point averaged ones may be at most, in its radii; as pixels see the
+  /// slope of its plane.
+  static constexpr float LargestReach = 16.0f;
   /// How many points are drawn; see vtkPointThinning.
   int Thinning = 0;
   /// How far behind the nearest point the farthest one of a pixel may be, in eye units, where these

@@ -46,7 +46,8 @@ public:
   ///@{
   /**
    * Average the points that fall in one pixel, those that are behind the nearest one by no more
-   * than their radius; in the paper (section 3.1) the nearest one stays alone. Default on.
+   * than its radius, or than its plane is within the pixel; in the paper (section 3.1) the nearest
+   * one stays alone. Default on.
    */
   vtkSetMacro(AveragePoints, bool);
   vtkGetMacro(AveragePoints, bool);

@@ -2,11 +2,13 @@
 // Project: each point goes to at most one pixel (Marroquim et al. 2007, section 3.1). After
 // vtkPointAttributes.glsl. What is drawn of the points, a constant before this text: ALL_POINTS;
 // ONLY_FARTHEST, of each pixel those within the tolerance behind its nearest one; ONLY_COMPANIONS, those
-// behind the nearest one by no more than their radius.
+// behind the nearest one by no more than its radius, or than its plane is within a pixel.
 uniform vec2 depthRange;     // eye depths between which the cloud lies
 uniform bool subpixelCenters;
 uniform bool centerDepths;   // see vtkPullFS.glsl
 uniform float depthTolerance;
+uniform float largestReach;  // in radii
+uniform sampler2D nearestShape;
 uniform sampler2D nearestInterval;
 uniform usampler2D nearestId;
 
@@ -44,7 +46,12 @@ void main()
 #ifdef ONLY_FARTHEST
   bool isWanted = depth <= nearest + depthTolerance;
 #else
-  bool isWanted = depth <= nearest + radius && texelFetch(nearestId, pixel, 0).r != id;
+  vec4 disc = texelFetch(nearestShape, pixel, 0);
+  float along = dot(disc.xyz, toViewer);
+  float slope = sqrt(max(1.0 - along * along, 0.0)) / max(abs(along), 1.0 / largestReach);
+  float pixelSize = 2.0 * gl_Position.w / (targetSize.y * abs(VCDCMatrix[1][1]));
+  float reach = disc.w * clamp(pixelSize * slope / disc.w, 1.0, largestReach);
+  bool isWanted = depth <= nearest + reach && texelFetch(nearestId, pixel, 0).r != id;
 #endif
   if (!isWanted)
   {

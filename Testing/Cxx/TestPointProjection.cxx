@@ -137,13 +137,16 @@ Expected Average(const std::vector<Point>& points, const std::vector<int>& inPix
   auto depthOf = [&](int i) { return Camera - points[i].Position[2]; };
   mean.Nearest = *std::min_element(
     inPixel.begin(), inPixel.end(), [&](int a, int b) { return depthOf(a) < depthOf(b); });
-  const double nearest = depthOf(mean.Nearest);
   const auto& front = points[mean.Nearest].Normal;
+  // what the plane of the nearest one falls by within a pixel, which is 1 wide, seen along z
+  const double slope = std::hypot(front[0], front[1]) / std::max(std::abs(front[2]), 1.0 / 16.0);
+  const double radius = points[mean.Nearest].Radius;
+  const double limit = depthOf(mean.Nearest) + std::min(std::max(slope, radius), 16.0 * radius);
   for (int i : inPixel)
   {
     const Point& point = points[i];
-    mean.IsClose = mean.IsClose || std::abs(depthOf(i) - nearest - point.Radius) < 1e-4;
-    if (depthOf(i) > nearest + point.Radius)
+    mean.IsClose = mean.IsClose || std::abs(depthOf(i) - limit) < 1e-4;
+    if (depthOf(i) > limit)
     {
       continue;
     }
