@@ -1309,6 +1309,13 @@ void vtkPointSurfaceMapper::ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* 
   this->UpdateShaders(helper, renderer, actor);
   if (helper.Program)
   {
+    vtkOpenGLState::ScopedglDepthMask depthMask(state);
+    if (renderer->GetSelector())
+    {
+      // VTK leaves depths as the picture before has them, and writes none where it picks points; of
+      // several processes ParaView's first one clears that picture's, and would not be composited
+      state->vtkglDepthMask(GL_TRUE);
+    }
     vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
     state->vtkglDisable(GL_CULL_FACE); // points were culled in projection
     if (renderer->GetUseImageBasedLighting() && renderer->GetEnvironmentTexture())

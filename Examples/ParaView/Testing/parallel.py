@@ -113,6 +113,29 @@ def draw(view, name, source, system, limit=0.01, allowed=0, **properties):
     simple.Hide(source, view)
 
 
+def order(name):
+    """That where pictures of two ranks are blended the nearer one's is in front, though copies reach into the other's region:
+    of two sheets, seen from either side, with a border below that is near to the other's."""
+    y, z = (axis.ravel() for axis in np.meshgrid(np.linspace(-1, 1, 41), np.linspace(-1, 1, 41)))
+    x = np.where(z < -0.9, 0.1, 0.5)
+    points = np.concatenate([np.stack([side * x, y, z], axis=-1) for side in (-1, 1)])
+    points *= 0.1  # ParaView 5.11 takes overlaps as whole numbers
+    sheet = np.sign(points[:, 0])
+    normals = np.tile([1.0, 0.0, 0.0], (len(points), 1))
+    sheets = source_of(cloud(points, Normals=normals, radius=np.full(len(points), 0.006), sheet=sheet))
+    view = scene.view(scale=0.125)
+    for side in (-1, 1):
+        view.CameraPosition = [6 * side, 0, 0]
+        display = scene.show(sheets, view, "Pull-Push", Opacity=0.5, ColorArrayName=["POINTS", "sheet"])
+        display.LookupTable = simple.GetColorTransferFunction("sheet")
+        display.LookupTable.RescaleTransferFunction(-1, 1)  # blue to red
+        path = scene.save(view, f"parallel-{ranks}-{name}{side:+}")
+        if rank == 0:
+            red, _, blue = scene.read(path)[100:200, 100:200].mean(axis=(0, 1))
+            print(f"{name}: from x = {view.CameraPosition[0]}: red {red:.0f}, blue {blue:.0f}", flush=True)
+            check(side * (red - blue) > 10, f"{name}: the farther rank is in front, seen from x = {view.CameraPosition[0]}")
+
+
 def turn(view, name, source):
     """The picture while the camera moves, with one point of 16, which ranks choose by themselves: like that of one rank, and
     without holes, but with another outline."""
@@ -164,7 +187,7 @@ def select(view, name, source):
     print(f"{name}: {len(expected)} points by one rank; {len(missing)} of them missing, {len(added)} added", flush=True)
     check(len(numbers) == len(set(numbers)), f"{name} tells points twice")
     check((np.bincount(picked[:, 0], minlength=ranks) > 100).all(), f"{name} has no points of some rank")
-    check(len(missing) < 0.1 * len(expected) and len(added) < 0.01 * len(expected), f"{name} differs")
+    check(max(len(missing), len(added)) < 0.01 * len(expected), f"{name} differs")
 
 
 def check_log(path, count):
@@ -194,6 +217,8 @@ if ranks > 1:
     check_log(log, whole.GetClientSideObject().GetOutputDataObject(0).GetNumberOfPoints())
 draw(view, "translucent", whole, "Pull-Push", Opacity=0.5, BackfaceRepresentation="Cull Backface")
 scene.show(whole, view, "Pull-Push", Opacity=1, BackfaceRepresentation="Follow Frontface")
+if ranks == 2:
+    order("order")
 select(view, "selection", whole)
 turn(view, "turning", whole)
 del arrays["radius"]

@@ -34,6 +34,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 vtkStandardNewMacro(vtkPointSurfaceRepresentation);
 
@@ -137,37 +138,11 @@ int vtkPointSurfaceRepresentation::RequestData(
 //------------------------------------------------------------------------------
 namespace
 {
-/// Adds points, if asked without the copies of other ranks'. VTK's own bounds are those of cells,
-/// of which there may be none.
-void AddPoints(vtkPointSet* points, bool copies, vtkBoundingBox& box)
-{
-  auto* types = vtkUnsignedCharArray::SafeDownCast(
-    points->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  if (copies || !types)
-  {
-    double bounds[6];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      points->GetPoints()->GetData()->GetFiniteRange(bounds + 2 * axis, axis);
-    }
-    box.AddBounds(bounds);
-    return;
-  }
-  for (vtkIdType id = 0; id < points->GetNumberOfPoints(); ++id)
-  {
-    double x[3];
-    points->GetPoint(id, x);
-    const bool isCopy = types->GetValue(id) & vtkDataSetAttributes::DUPLICATEPOINT;
-    if (!isCopy && std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]))
-    {
-      box.AddPoint(x);
-    }
-  }
-}
+using PointSets = std::vector<vtkPointSet*>;
 
-/// Adds the points of visible blocks.
+/// Adds those of visible blocks.
 void AddBlocks(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes, bool visible,
-  bool copies, vtkBoundingBox& box)
+  PointSets& pointSets)
 {
   if (attributes->HasBlockVisibility(data))
   {
@@ -177,15 +152,109 @@ void AddBlocks(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attribute
   {
     for (vtkDataObject* child : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
     {
-      AddBlocks(child, attributes, visible, copies, box);
+      AddBlocks(child, attributes, visible, pointSets);
     }
     return;
   }
   auto* points = vtkPointSet::SafeDownCast(data);
   if (visible && points && points->GetNumberOfPoints() > 0)
   {
-    AddPoints(points, copies, box);
+    pointSets.push_back(points);
   }
+}
+
+/// Calls visit(x, isCopy) for each finite point; a copy is of another rank's.
+template <class Visit>
+void VisitPoints(vtkPointSet* points, vtkUnsignedCharArray* types, Visit visit)
+{
+  for (vtkIdType id = 0; id < points->GetNumberOfPoints(); ++id)
+  {
+    double x[3];
+    points->GetPoint(id, x);
+    if (std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]))
+    {
+      visit(x, (types->GetValue(id) & vtkDataSetAttributes::DUPLICATEPOINT) != 0);
+    }
+  }
+}
+
+vtkUnsignedCharArray* GetTypes(vtkPointSet* points)
+{
+  return vtkUnsignedCharArray::SafeDownCast(
+    points->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+}
+
+/// Of the points that are no copies. VTK's own bounds are those of cells, of which there may be
+/// none.
+vtkBoundingBox GetOwnBox(const PointSets& pointSets)
+{
+  vtkBoundingBox box;
+  for (vtkPointSet* points : pointSets)
+  {
+    if (vtkUnsignedCharArray* types = GetTypes(points))
+    {
+      VisitPoints(points, types,
+        [&box](double x[3], bool isCopy)
+        {
+          if (!isCopy)
+          {
+            box.AddPoint(x);
+          }
+        });
+      continue;
+    }
+    double bounds[6];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      points->GetPoints()->GetData()->GetFiniteRange(bounds + 2 * axis, axis);
+    }
+    box.AddBounds(bounds);
+  }
+  return box;
+}
+
+/// The box of a rank's own points up to the middle between them and copies beyond: ParaView orders
+/// ranks for blending by boxes that touch, and takes small ones that overlap amiss.
+vtkBoundingBox GetRegion(const PointSets& pointSets)
+{
+  const vtkBoundingBox own = GetOwnBox(pointSets);
+  if (!own.IsValid())
+  {
+    return own;
+  }
+  double least[3], most[3];
+  own.GetMinPoint(least);
+  own.GetMaxPoint(most);
+  double before[3], behind[3]; // the copies' coordinates next to them
+  std::fill_n(before, 3, -VTK_DOUBLE_MAX);
+  std::fill_n(behind, 3, VTK_DOUBLE_MAX);
+  auto addCopy = [&](const double x[3], bool isCopy)
+  {
+    for (int axis = 0; isCopy && axis < 3; ++axis)
+    {
+      if (x[axis] < least[axis])
+      {
+        before[axis] = std::max(before[axis], x[axis]);
+      }
+      else if (x[axis] > most[axis])
+      {
+        behind[axis] = std::min(behind[axis], x[axis]);
+      }
+    }
+  };
+  for (vtkPointSet* points : pointSets)
+  {
+    if (vtkUnsignedCharArray* types = GetTypes(points))
+    {
+      VisitPoints(points, types, addCopy);
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    least[axis] = before[axis] > -VTK_DOUBLE_MAX ? 0.5 * (before[axis] + least[axis]) : least[axis];
+    most[axis] = behind[axis] < VTK_DOUBLE_MAX ? 0.5 * (behind[axis] + most[axis]) : most[axis];
+  }
+  return vtkBoundingBox(least[0], most[0], least[1], most[1], least[2], most[2]);
 }
 
 vtkBoundingBox Transform(const vtkBoundingBox& box, vtkMatrix4x4* matrix)
@@ -211,19 +280,16 @@ void vtkPointSurfaceRepresentation::TellBounds(vtkInformation* inInfo)
   }
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   this->PopulateBlockAttributes(attributes, data);
-  vtkBoundingBox box;
-  AddBlocks(data, attributes, true, true, box);
-  double bounds[6];
-  box.GetBounds(bounds);
+  PointSets pointSets;
+  AddBlocks(data, attributes, true, pointSets);
   vtkNew<vtkMatrix4x4> matrix;
   this->Actor->GetMatrix(matrix);
-  vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, matrix);
-
+  double bounds[6];
+  Transform(GetRegion(pointSets), matrix).GetBounds(bounds);
+  vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds);
   // Where pictures are blended, in the order of ranks' regions, ParaView would give each rank the
-  // cells of another region, and points that are in no cells to none.
-  vtkBoundingBox own;
-  AddBlocks(data, attributes, true, false, own);
-  Transform(own, matrix).GetBounds(bounds);
+  // cells of another region, and points that are in no cells to none. It takes a region's bounds
+  // here, but goes by those above, as they are before a matrix.
   vtkPVRenderView::SetOrderedCompositingConfiguration(
     inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, bounds);
 }
