@@ -16,10 +16,12 @@
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLCamera.h"
+#include "vtkOpenGLFXAAFilter.h"
 #include "vtkOpenGLFXAAPass.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderTimer.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProp.h"
@@ -178,6 +180,7 @@ public:
     vtkImageSpaceDepth + vtkImageSpaceReadFS };
   vtkScreenPass Write[3] = { vtkScreenPass(GetWriteShader(0)), vtkScreenPass(GetWriteShader(1)),
     vtkScreenPass(GetWriteShader(2)) };
+  vtkNew<vtkOpenGLFXAAFilter> FXAA;
   vtkOpenGLRenderTimer Timer;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last frame; cleared when it releases us
   vtkMTimeType ContextTime = 0;                 // of the context that the next is of
@@ -290,6 +293,7 @@ void vtkImageSpacePass::ReleaseGraphicsResources(vtkWindow* w)
   {
     pass.ReleaseGraphicsResources();
   }
+  internals.FXAA->ReleaseGraphicsResources();
   internals.Timer.ReleaseGraphicsResources();
   internals.Size = {};
   internals.Window = nullptr;
@@ -351,7 +355,11 @@ void vtkImageSpacePass::Render(const vtkRenderState* s)
   vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
 
   const Outputs outputs = GetEnclosingOutputs(s);
+  // a renderer that is asked for FXAA would do it within, and draw over the normals
+  const bool fxaa = renderer->GetUseFXAA();
+  renderer->SetUseFXAA(false);
   this->DrawDelegate(s, window, origin);
+  renderer->SetUseFXAA(fxaa);
 
   internals.SetCamera(renderer);
 
@@ -386,6 +394,11 @@ void vtkImageSpacePass::Render(const vtkRenderState* s)
   if (outputs == WithPositionAndNormal)
   {
     KeepPositionsAndNormals(state);
+  }
+  if (fxaa && !s->GetFrameBuffer()) // that of another pass has another size
+  {
+    internals.FXAA->UpdateConfiguration(renderer->GetFXAAOptions());
+    internals.FXAA->Execute(static_cast<vtkOpenGLRenderer*>(renderer));
   }
 }
 

@@ -13,6 +13,9 @@
  * the delegate they come too, and to a vtkSSAOPass around they go; where none come (from another
  * pass, a volume, vtkPointGaussianMapper), they are taken from the depths.
  *
+ * FXAA that the renderer is asked for (vtkRenderer::UseFXAA) is done to what the outermost pass of
+ * this kind draws, where no pass of another kind is around it.
+ *
  * What VTK's own passes cannot do, whatever they are chained with:
  * - vtkSSAOPass has no positions and normals, and occludes at random or not at all, with
  *   vtkEDLShading as its delegate, or with vtkOpenGLFXAAPass over mappers. With a pass of this kind

@@ -17,7 +17,7 @@ def apply(renderer, style, thickness=2.0, color=(0.0, 0.0, 0.0)):
 
     thickness: of the lines, in pixels. color: of the lines, each component 0 to 1.
     Returns the passes that draw lines, a list in the order in which they draw, whose thresholds can be set. Renderer
-    options that VTK does not combine with passes (UseFXAA, UseDepthPeeling, ...) have no effect but with "plain".
+    options that VTK does not combine with passes (UseDepthPeeling, ...) have no effect but with "plain".
     Raises ValueError for a style that is none.
     """
     if style not in STYLES:

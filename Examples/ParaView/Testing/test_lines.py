@@ -29,3 +29,12 @@ view.LineThickness = 6
 assert lines(points, "silhouettes-thick", "Pull-Push").sum() > 2 * silhouettes.sum()
 view.Lines = "None"
 assert lines(points, "no-lines", "Pull-Push").sum() == 0
+view.Lines, view.LineThickness = "Feature Lines", 2  # of which a sphere has none, with FXAA, which ParaView does by itself
+assert view.UseFXAA
+assert lines(points, "no-feature-lines", "Pull-Push").sum() == 0
+assert lines(mesh, "no-feature-lines-mesh").sum() == 0
+plane = simple.Plane(Origin=[-1, 0, -1], Point1=[1, 0, -1], Point2=[-1, 0, 1])
+scene.show(plane, view)
+edge = lines(points, "feature-lines", "Pull-Push")  # where the sphere goes through the plane
+print(edge.sum(), "pixels of line where a cloud goes through a mesh")
+assert 400 < edge.sum() < 1200
