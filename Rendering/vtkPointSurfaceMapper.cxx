@@ -631,6 +631,7 @@ void vtkPointSurfaceMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
     this->LastFrameLevels = 0;
     this->LastFramePasses = 0;
     this->LastFrameReconstructions = 0;
+    this->LastFramePixelsShaded = 0;
     for (auto& timer : this->Internals->Timers)
     {
       timer.Reset();
@@ -1093,10 +1094,13 @@ void vtkPointSurfaceMapper::MakeBuffer(
       ++this->LastFramePasses;
     }
     this->LastFrameSurfaceBytesUploaded += surface.Target.Upload(window, internals.Pixels);
+    surface.Bands = internals.Pixels.GetBands();
     internals.ClockMilliseconds[Reconstruct] =
       1e3 * (vtkTimerLog::GetUniversalTime() - start) - internals.ClockMilliseconds[Project];
     return;
   }
+  const auto pixels = view.GetPixelRectangle();
+  surface.Bands = { { pixels[0], pixels[1], pixels[0] + pixels[2], pixels[1] + pixels[3] } };
   state->PushFramebufferBindings();
   GLint blendEquations[2]; // dual depth peeling has another one than the steps
   state->vtkglGetIntegerv(GL_BLEND_EQUATION_RGB, &blendEquations[0]);
@@ -1284,6 +1288,34 @@ private:
 };
 }
 
+std::vector<std::array<float, 4>> vtkPointSurfaceMapper::GetShadedRectangles()
+{
+  const vtkSurfaceBuffer& surface = *this->Internals->Current;
+  const vtkPointSurfaceView& view = surface.View;
+  std::vector<std::array<float, 4>> rectangles;
+  for (const auto& band : surface.Bands)
+  {
+    const int* drawn = this->LastFrameRectangle;
+    int size[2];
+    std::array<float, 4> rectangle;
+    for (int k = 0; k < 2; ++k)
+    {
+      const int begin = std::max(band[k] - view.Rim, drawn[k]);
+      const int end = std::min(band[2 + k] - view.Rim, drawn[k] + drawn[2 + k]);
+      const auto pixels = static_cast<float>(view.Size[k] / view.Supersampling - 2 * view.Rim);
+      size[k] = std::max(end - begin, 0);
+      rectangle[k] = 2.0f * begin / pixels - 1.0f;
+      rectangle[2 + k] = 2.0f * end / pixels - 1.0f;
+    }
+    if (size[0] > 0 && size[1] > 0)
+    {
+      rectangles.push_back(rectangle);
+      this->LastFramePixelsShaded += static_cast<vtkIdType>(size[0]) * size[1];
+    }
+  }
+  return rectangles;
+}
+
 void vtkPointSurfaceMapper::ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* actor)
 {
   vtkInternals& internals = *this->Internals;
@@ -1328,8 +1360,12 @@ void vtkPointSurfaceMapper::ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* 
     {
       alphaToCoverage.emplace(state);
     }
+    const auto rectangles = this->GetShadedRectangles();
+    const int count = static_cast<int>(rectangles.size());
+    helper.Program->SetUniform4fv(
+      "psRectangles", count, reinterpret_cast<const float(*)[4]>(rectangles.data()));
     helper.VAO->Bind();
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    glDrawArrays(GL_TRIANGLES, 0, 6 * count);
   }
   if (duplicates)
   {
@@ -1394,15 +1430,6 @@ void vtkPointSurfaceMapper::SetMapperShaderParameters(
   const int end[2] = { pixels[0] + pixels[2], pixels[1] + pixels[3] };
   program->SetUniform2i("psBegin", pixels.data());
   program->SetUniform2i("psEnd", end);
-  const int* drawn = this->LastFrameRectangle;
-  float rectangle[4];
-  for (int k = 0; k < 2; ++k)
-  {
-    const float size = static_cast<float>(view.Size[k] / view.Supersampling - 2 * view.Rim);
-    rectangle[k] = 2.0f * drawn[k] / size - 1.0f;
-    rectangle[2 + k] = 2.0f * (drawn[k] + drawn[2 + k]) / size - 1.0f;
-  }
-  program->SetUniform4f("psRectangle", rectangle);
   vtkNew<vtkMatrix4x4> matrix;
   matrix->DeepCopy(view.VCDC.data());
   program->SetUniformMatrix("psVCDC", matrix);
@@ -1612,6 +1639,7 @@ void vtkPointSurfaceMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LastFrameLevels: " << this->LastFrameLevels << "\n";
   os << indent << "LastFramePasses: " << this->LastFramePasses << "\n";
   os << indent << "LastFrameReconstructions: " << this->LastFrameReconstructions << "\n";
+  os << indent << "LastFramePixelsShaded: " << this->LastFramePixelsShaded << "\n";
   os << indent << "LastFrameBytesUploaded: " << this->LastFrameBytesUploaded << "\n";
   os << indent << "LastFrameSurfaceBytesUploaded: " << this->LastFrameSurfaceBytesUploaded << "\n";
 }

@@ -147,12 +147,14 @@ public:
   /**
    * What the last frame cost: points sent to projection (those that may be in the picture); the
    * rectangle of the viewport that was worked on (x, y, width, height in pixels from its lower left
-   * corner); levels of the image pyramid above the finest one, and passes over images; how often a
-   * surface buffer was made (0 when one of an earlier frame still held). In a frame that made none,
-   * points, levels and passes are 0.
+   * corner), and how many pixels of it were lit: on the CPU back end, in bands of rows, those from
+   * the first to the last with a surface, else all; levels of the image pyramid above the finest
+   * one, and passes over images; how often a surface buffer was made (0 when one of an earlier
+   * frame still held). In a frame that made none, points, levels and passes are 0.
    */
   vtkGetMacro(LastFramePointsDrawn, vtkIdType);
   vtkGetVector4Macro(LastFrameRectangle, int);
+  vtkGetMacro(LastFramePixelsShaded, vtkIdType);
   vtkGetMacro(LastFrameLevels, int);
   vtkGetMacro(LastFramePasses, int);
   vtkGetMacro(LastFrameReconstructions, int);
@@ -410,6 +412,7 @@ protected:
   int LastFrameBackend = Automatic;
   vtkIdType LastFramePointsDrawn = 0;
   int LastFrameRectangle[4] = { 0, 0, 0, 0 };
+  vtkIdType LastFramePixelsShaded = 0;
   int LastFrameLevels = 0;
   int LastFramePasses = 0;
   int LastFrameReconstructions = 0;
@@ -445,6 +448,8 @@ private:
   void MakeBuffer(
     vtkSurfaceBuffer& surface, const vtkPointSurfaceView& view, bool ids, bool colors);
   void ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* actor);
+  /// Those that shading draws: lower left and upper right corners in normalised device coordinates.
+  std::vector<std::array<float, 4>> GetShadedRectangles();
 
   // The cloud as a part of a joint surface; see vtkPointSurfacePass.
   friend class vtkPointSurfacePass;

@@ -10,11 +10,16 @@
 #include "vtkPointSurfaceView.h"
 #include "vtkSurfaceTarget.h"
 
+#include <array>
+#include <vector>
+
 struct vtkSurfaceBuffer
 {
   vtkPointSurfaceView View;
   vtkSurfaceTarget Target;
   vtkSurfaceTarget Splats;
+  /// Where there may be a surface, in pixels of the target: x, y, x end, y end.
+  std::vector<std::array<int, 4>> Bands;
   bool Valid = false;
   bool HasCoverage = false; ///< the normals' length is the share of the pixel that is covered
   unsigned long LastUse = 0;

@@ -317,6 +317,38 @@ void CompareThreads()
   check(same, "the CPU back end makes the same on any number of threads");
 }
 
+/// A ball fills 0.79 of its rectangle; bands of rows leave the corners of that out.
+void CheckShadedPixels()
+{
+  Scene scene;
+  scene.PlaceCamera();
+  for (int supersampling : { 1, 3 })
+  {
+    scene.Mapper->SetSupersampling(supersampling);
+    scene.Render(vtkPullPushMapper::OpenGL);
+    const int* rectangle = scene.Mapper->GetLastFrameRectangle();
+    check(scene.Mapper->GetLastFramePixelsShaded() == vtkIdType(rectangle[2]) * rectangle[3],
+      "OpenGL shades the rectangle");
+    scene.Render(vtkPullPushMapper::CPU);
+    vtkNew<vtkImageData> buffer;
+    scene.Mapper->ReadSurfaceBuffer(buffer);
+    vtkDataArray* depth = buffer->GetPointData()->GetArray("Depth");
+    vtkIdType covered = 0;
+    for (vtkIdType i = 0; i < depth->GetNumberOfTuples(); ++i)
+    {
+      covered += depth->GetTuple1(i) > 0.0 ? 1 : 0;
+    }
+    const vtkIdType shaded = scene.Mapper->GetLastFramePixelsShaded();
+    check(covered > 50000 && covered <= shaded && shaded < 1.05 * covered,
+      "the CPU shades " + std::to_string(shaded) + " pixels, little more than the " +
+        std::to_string(covered) + " with a surface");
+    scene.Window->Render();
+    check(scene.Mapper->GetLastFrameReconstructions() == 0 &&
+        scene.Mapper->GetLastFramePixelsShaded() == shaded,
+      "and so does a still frame");
+  }
+}
+
 void CheckShortColors()
 {
   for (int backend : { vtkPullPushMapper::OpenGL, vtkPullPushMapper::CPU })
@@ -449,6 +481,7 @@ int TestBackends(int, char*[])
 {
   ComparePictures();
   CompareThreads();
+  CheckShadedPixels();
   CheckShortColors();
   CheckChoice();
   for (int backend : { vtkPullPushMapper::OpenGL, vtkPullPushMapper::CPU })
