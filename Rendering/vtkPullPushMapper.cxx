@@ -2,6 +2,7 @@
 #include "vtkPullPushMapper.h"
 
 #include "vtkContextNeeds.h"
+#include "vtkOutlineTrimCPU.h"
 #include "vtkPointProjectionOptions.h"
 #include "vtkPointSurfaceView.h"
 #include "vtkPointThinning.h"
@@ -22,9 +23,11 @@
 class vtkPullPushMapper::vtkInternals
 {
 public:
+  vtkSurfaceTarget Untrimmed;
   vtkSurfaceTarget Projected;
   vtkPullPushReconstructionOpenGL Reconstruction;
   vtkSurfaceImage ProjectedCPU;
+  vtkOutlineTrimCPU TrimCPU;
   vtkPullPushReconstructionCPU ReconstructionCPU;
   vtkPointSurfaceView View; // that the projected buffer was made for
 };
@@ -44,6 +47,7 @@ vtkPullPushMapper::~vtkPullPushMapper()
 void vtkPullPushMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
+  this->Internals->Untrimmed.ReleaseGraphicsResources(window);
   this->Internals->Projected.ReleaseGraphicsResources(window);
   this->Internals->Reconstruction.ReleaseGraphicsResources(window);
 }
@@ -66,6 +70,7 @@ vtkPullPushOptions vtkPullPushMapper::GetOptions() const
 {
   vtkPullPushOptions options;
   options.SubpixelCenters = this->SubpixelCenters;
+  options.AveragePoints = this->AveragePoints;
   options.PerspectiveDiscs = this->PerspectiveDiscs;
   options.DistanceWeights = this->DistanceWeights;
   options.DepthTestInPush = this->DepthTestInPush;
@@ -87,8 +92,8 @@ vtkPointProjectionOptions vtkPullPushMapper::GetProjectionOptions(
   {
     // where densities vary, the sparse parts stay whole; and little is saved of small clouds
     constexpr vtkIdType Fewest = 20000;
-    // A pixel shows its own points alone: it flickers where these are few.
-    constexpr double LargestRadius = 1.2;
+    // A pixel shows its own points alone, which tell outlines too: it flickers where these are few.
+    constexpr double LargestRadius = 0.85;
     vtkPointSurfaceView sparse = view;
     sparse.GrowRadii(view.LargestRadius / view.MeanRadius);
     options.Thinning = vtkPointThinning::GetLevel(sparse, LargestRadius);
@@ -113,13 +118,19 @@ void vtkPullPushMapper::MakeSurfaceBuffer(
 {
   vtkInternals& internals = *this->Internals;
   const vtkPointProjectionOptions projection = this->GetProjectionOptions(view);
-  this->ProjectPoints(window, view, projection, surface, internals.Projected);
   internals.View = view;
   internals.View.GrowRadii(vtkPointThinning::GetRadiusFactor(projection.Thinning));
   const vtkPullPushParameters parameters(internals.View, this->GetOptions());
+  const bool trims = parameters.TrimsProjected();
+  this->ProjectPoints(
+    window, view, projection, surface, trims ? internals.Untrimmed : internals.Projected);
+  if (trims)
+  {
+    internals.Reconstruction.Trim(window, parameters, internals.Untrimmed, internals.Projected);
+  }
   internals.Reconstruction.Run(window, parameters, internals.Projected, surface);
   this->LastFrameLevels = parameters.GetCoarsestLevel();
-  this->LastFramePasses = internals.Reconstruction.GetPasses();
+  this->LastFramePasses = internals.Reconstruction.GetPasses() + (trims ? 1 : 0);
 }
 
 void vtkPullPushMapper::MakeSurfacePixels(
@@ -131,10 +142,14 @@ void vtkPullPushMapper::MakeSurfacePixels(
   internals.View = view;
   internals.View.GrowRadii(vtkPointThinning::GetRadiusFactor(projection.Thinning));
   const vtkPullPushParameters parameters(internals.View, this->GetOptions());
+  if (parameters.TrimsProjected())
+  {
+    internals.TrimCPU.Run(parameters, internals.ProjectedCPU);
+  }
   internals.ReconstructionCPU.Run(parameters, internals.ProjectedCPU, surface);
   this->LastFrameLevels = parameters.GetCoarsestLevel();
-  this->LastFramePasses =
-    2 * parameters.GetCoarsestLevel() + (parameters.Options.FillPixels ? 1 : 0);
+  this->LastFramePasses = 2 * parameters.GetCoarsestLevel() +
+    (parameters.Options.FillPixels ? 1 : 0) + (parameters.TrimsProjected() ? 1 : 0);
 }
 
 //------------------------------------------------------------------------------

@@ -124,9 +124,12 @@ public:
   ///@{
   /**
    * Show a point in its own pixel only where its disc covers the pixel's centre, to within a fifth
-   * of a pixel, more where projected radii are under 2.5 pixels; in the paper (section 3.3) it
-   * stays whatever part of the pixel the disc covers, so that outlines lie half a pixel outside of
-   * the surface's. Default on.
+   * of a pixel, more where projected radii are under 2.5 pixels; and where they are under 2.1
+   * pixels, so that several points are averaged in a pixel, only where these do not lie aside of
+   * its centre by more than a quarter of a pixel, with an outline on the other side: else it is
+   * empty, or shows what is behind. In the paper (section 3.3) a point stays in its pixel whatever
+   * part of it the disc covers, so that outlines lie half a pixel outside of the surface's. Default
+   * on.
    */
   vtkSetMacro(TrimOutlines, bool);
   vtkGetMacro(TrimOutlines, bool);
@@ -137,7 +140,7 @@ public:
   /**
    * Where projected radii are so small that pixels cannot tell the points apart, draw one of 2,
    * 4, 8, ... points that follow each other, chosen at random, with a radius that is larger to
-   * match: up to 1.2 pixels; in the paper all points are drawn. A part of a cloud
+   * match: up to 0.85 pixels; in the paper all points are drawn. A part of a cloud
    * (vtkGhostPointsGenerator) is not thinned: other processes would choose other points. Default
    * on.
    */

@@ -12,6 +12,7 @@
 struct vtkPullPushOptions
 {
   bool SubpixelCenters = false;
+  bool AveragePoints = false;
   bool PerspectiveDiscs = false;
   bool DistanceWeights = false;
   bool DepthTestInPush = false;

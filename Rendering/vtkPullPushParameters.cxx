@@ -72,6 +72,11 @@ vtkPullPushParameters::vtkPullPushParameters(
   {
     this->OpenRun = 4;
   }
+  if (options.TrimOutlines && options.AveragePoints)
+  {
+    this->LargestOffset =
+      static_cast<float>(std::max(0.25 + 0.5 * (view.TypicalRadius - 1.6), 0.25));
+  }
   if (options.UnionRadii)
   {
     // all the way where radii are below 1.5 pixels

@@ -25,6 +25,9 @@ struct vtkPullPushParameters
 
   int GetCoarsestLevel() const { return static_cast<int>(this->Levels.size()) - 1; }
 
+  /// Whether there is anything for vtkOutlineTrimCPU or vtkPullPushReconstructionOpenGL::Trim().
+  bool TrimsProjected() const { return this->LargestOffset < 0.5f; }
+
   vtkPullPushOptions Options;
   std::vector<Level> Levels;         ///< 0 is the finest; as many as the largest disc needs
   std::array<float, 4> PixelToEye{}; ///< xy: eye units a pixel where w is 1; zw: w = z depth + w
@@ -36,6 +39,10 @@ struct vtkPullPushParameters
   /// Pixels that a disc may miss the centre of its point's own pixel by, where outlines are
   /// trimmed: small discs, and those that are seen edge-on, cover few centres.
   float OutlineSlack = 0.0f;
+  /// Pixels that the points of a pixel may lie to one side of its centre by if an outline is on the
+  /// other side: of what covers half of a pixel they lie a quarter aside. Half of one, or more: all
+  /// may; where a pixel has few points, these do not tell.
+  float LargestOffset = 0.5f;
   bool BlendsPixels = false; ///< of the finest level, that stay, with the coarser ones
   float DepthStep = 0.0f;    ///< in eye units: what is farther back than this is behind
   int OpenRun = 5;           ///< empty pixels in a row around one that stays empty

@@ -2,6 +2,7 @@
 #include "vtkPullPushReconstructionOpenGL.h"
 
 #include "vtkFillFS.h"
+#include "vtkOutlineTrimFS.h"
 #include "vtkPointSurfaceCompat.h"
 #include "vtkPullFS.h"
 #include "vtkPullPushCommon.h"
@@ -109,6 +110,30 @@ void vtkPullPushReconstructionOpenGL::AllocatePyramid(
 }
 
 //------------------------------------------------------------------------------
+void vtkPullPushReconstructionOpenGL::Trim(vtkOpenGLRenderWindow* window,
+  const vtkPullPushParameters& parameters, vtkSurfaceTarget& untrimmed, vtkSurfaceTarget& projected)
+{
+  projected.Allocate(window, untrimmed.GetWidth(), untrimmed.GetHeight(), untrimmed.GetLayers());
+  vtkScreenPass& pass =
+    this->GetPass(parameters, TrimPass, untrimmed.GetLayers(), projected.GetLayers());
+  vtkShaderProgram* program = pass.Ready(window);
+  if (!program)
+  {
+    return;
+  }
+  untrimmed.Activate();
+  untrimmed.SetSamplers(program, "in");
+  const int size[2] = { untrimmed.GetWidth(), untrimmed.GetHeight() };
+  program->SetUniform2i("size", size);
+  program->SetUniform2i("begin", parameters.Levels[0].Rectangle.data());
+  program->SetUniform2i("end", parameters.Levels[0].Rectangle.data() + 2);
+  program->SetUniformf("largestOffset", parameters.LargestOffset);
+  SetCommonUniforms(program, parameters);
+  projected.BindForWriting(window);
+  this->DrawLevel(window, parameters, pass, 0);
+  untrimmed.Deactivate();
+}
+
 void vtkPullPushReconstructionOpenGL::Pull(vtkOpenGLRenderWindow* window,
   const vtkPullPushParameters& parameters, vtkSurfaceTarget& fine, int level)
 {
@@ -232,6 +257,9 @@ vtkScreenPass& vtkPullPushReconstructionOpenGL::GetPass(
       constants + vtkPullPushCommon;
     switch (kind)
     {
+      case TrimPass:
+        text += vtkSurfaceTarget::GetInputDeclarations(input, "in") + vtkOutlineTrimFS;
+        break;
       case PullPass:
         text += vtkSurfaceTarget::GetInputDeclarations(input, "fine") + vtkPullFS;
         break;
@@ -242,7 +270,7 @@ vtkScreenPass& vtkPullPushReconstructionOpenGL::GetPass(
       default:
         text += vtkSurfaceTarget::GetInputDeclarations(input, "in") + vtkFillFS;
     }
-    pass.reset(new vtkScreenPass(text, kind == PullPass ? "" : vtkTileVS));
+    pass.reset(new vtkScreenPass(text, kind == TrimPass || kind == PullPass ? "" : vtkTileVS));
   }
   return *pass;
 }

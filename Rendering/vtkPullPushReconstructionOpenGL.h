@@ -43,6 +43,14 @@ public:
     vtkSurfaceTarget& projected, vtkSurfaceTarget& surface);
 
   /**
+   * Takes what a surface covers less than half of away from projected points, see
+   * vtkOutlineTrimCPU: makes `projected`, which becomes as large, with the same layers, of
+   * `untrimmed`.
+   */
+  void Trim(vtkOpenGLRenderWindow* window, const vtkPullPushParameters& parameters,
+    vtkSurfaceTarget& untrimmed, vtkSurfaceTarget& projected);
+
+  /**
    * Passes over the screen of the last run.
    */
   int GetPasses() const { return this->Passes; }
@@ -65,6 +73,7 @@ private:
     vtkSurfaceTarget& unfilled, vtkSurfaceTarget& coarse, vtkSurfaceTarget& result);
   enum Kind
   {
+    TrimPass,
     PullPass,
     PushPass,
     FillPass,

@@ -78,6 +78,7 @@ struct Scene
     this->Mapper->SetInputData(this->Cloud);
     this->Mapper->SetBackend(backend);
     this->Mapper->ThinPointsOff(); // each pixel is compared with the nearest one of all points
+    this->Mapper->TrimOutlinesOff();
     this->Mapper->RecordPointIdsOn();
     this->Actor->SetMapper(this->Mapper);
     this->Renderer->AddActor(this->Actor);
