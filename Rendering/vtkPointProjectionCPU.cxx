@@ -854,11 +854,10 @@ inline vtkPointProjectionCPU::Footprint vtkPointProjectionCPU::GetFootprint(
     ? point.Normal[2]
     : (point.Normal[0] * eye[0] + point.Normal[1] * eye[1] + point.Normal[2] * eye[2]) / distance;
   const float slope = std::sqrt(std::max(1.0f - along * along, 0.0f)) /
-    std::max(std::abs(along), 1.0f / vtkPointProjectionOptions::LargestReach);
+    std::max(std::abs(along), 1.0f / options.LargestReach);
   const float pixelSize = w / (t.HalfSize[1] * std::abs(t.Clip[1].Y));
-  point.Reach = point.Radius *
-    std::min(
-      std::max(pixelSize * slope / point.Radius, 1.0f), vtkPointProjectionOptions::LargestReach);
+  point.Reach =
+    point.Radius * std::min(std::max(pixelSize * slope / point.Radius, 1.0f), options.LargestReach);
   point.Color = cloud.Colors ? cloud.GetColor(place) : part.Source->Color;
   return point;
 }

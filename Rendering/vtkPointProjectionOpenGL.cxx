@@ -252,7 +252,7 @@ vtkShaderProgram* vtkPointProjectionOpenGL::ReadyProgram(vtkOpenGLRenderWindow* 
     program->SetUniformi("subpixelCenters", options.SubpixelCenters);
     program->SetUniformi("centerDepths", options.CenterDepths);
     program->SetUniformf("depthTolerance", options.DepthTolerance);
-    program->SetUniformf("largestReach", vtkPointProjectionOptions::LargestReach);
+    program->SetUniformf("largestReach", options.LargestReach);
     window->GetState()->vtkglPointSize(1.0f);
   }
   return program;

@@ -16,9 +16,9 @@ struct vtkPointProjectionOptions
   /// behind it by its radius at most, or by what its plane is within a pixel. The id stays that of
   /// the nearest one.
   bool AveragePoints = false;
-  /// How far behind the nearest point averaged ones may be at most, in its radii; as pixels see the
-  /// slope of its plane.
-  static constexpr float LargestReach = 16.0f;
+  /// How far behind the nearest point averaged ones may be at most, in its radii, where its plane
+  /// falls by so much within the pixel. 1: by its radius.
+  float LargestReach = 1.0f;
   /// How many points are drawn; see vtkPointThinning.
   int Thinning = 0;
   /// How far behind the nearest point the farthest one of a pixel may be, in eye units, where these

@@ -102,6 +102,11 @@ vtkPointProjectionOptions vtkPullPushMapper::GetProjectionOptions(
       --options.Thinning;
     }
   }
+  vtkPointSurfaceView drawn = view;
+  drawn.GrowRadii(vtkPointThinning::GetRadiusFactor(options.Thinning));
+  constexpr double LargestReach = 16.0; // where surfaces are seen edge-on
+  const double share = vtkPullPushParameters::GetShareOfDense(drawn);
+  options.LargestReach = static_cast<float>(1.0 + share * (LargestReach - 1.0));
   return options;
 }
 

@@ -46,8 +46,8 @@ public:
   ///@{
   /**
    * Average the points that fall in one pixel, those that are behind the nearest one by no more
-   * than its radius, or than its plane is within the pixel; in the paper (section 3.1) the nearest
-   * one stays alone. Default on.
+   * than its radius, or, where projected radii are under 1.4 pixels, than its plane is within the
+   * pixel; in the paper (section 3.1) the nearest one stays alone. Default on.
    */
   vtkSetMacro(AveragePoints, bool);
   vtkGetMacro(AveragePoints, bool);
@@ -124,7 +124,7 @@ public:
   ///@{
   /**
    * Show a point in its own pixel only where its disc covers the pixel's centre, to within a fifth
-   * of a pixel, more where projected radii are under 2.5 pixels; and where they are under 2.1
+   * of a pixel, more where projected radii are under 2.5 pixels; and where they are under 1.4
    * pixels, so that several points are averaged in a pixel, only where these do not lie aside of
    * its centre by more than a quarter of a pixel, with an outline on the other side: else it is
    * empty, or shows what is behind. In the paper (section 3.3) a point stays in its pixel whatever

@@ -74,12 +74,16 @@ vtkPullPushParameters::vtkPullPushParameters(
   }
   if (options.TrimOutlines && options.AveragePoints)
   {
-    this->LargestOffset =
-      static_cast<float>(std::max(0.25 + 0.5 * (view.TypicalRadius - 1.6), 0.25));
+    this->LargestOffset = static_cast<float>(0.5 - 0.25 * GetShareOfDense(view));
   }
   if (options.UnionRadii)
   {
     // all the way where radii are below 1.5 pixels
     this->UnionShare = static_cast<float>(std::min(std::max(2.5 - view.TypicalRadius, 0.0), 1.0));
   }
+}
+
+double vtkPullPushParameters::GetShareOfDense(const vtkPointSurfaceView& view)
+{
+  return std::min(std::max((1.4 - view.TypicalRadius) / 0.5, 0.0), 1.0);
 }

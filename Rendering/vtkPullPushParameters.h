@@ -25,6 +25,11 @@ struct vtkPullPushParameters
 
   int GetCoarsestLevel() const { return static_cast<int>(this->Levels.size()) - 1; }
 
+  /// Whether pixels have several points, which tell slopes and outlines: 1 where radii are 0.9
+  /// pixels at most, falling to 0 at 1.4. Few points tell neither; rough surfaces become specks by
+  /// them.
+  static double GetShareOfDense(const vtkPointSurfaceView& view);
+
   /// Whether there is anything for vtkOutlineTrimCPU or vtkPullPushReconstructionOpenGL::Trim().
   bool TrimsProjected() const { return this->LargestOffset < 0.5f; }
 

@@ -223,7 +223,7 @@ void ComparePictures()
     [](Scene& s)
     {
       s.Window->Render();
-      check(s.Mapper->GetLastFramePointsDrawn() < 100000, "points are thinned");
+      check(s.Mapper->GetLastFramePointsDrawn() <= 100000, "points are thinned");
     });
   Compare("back faces culled", [](Scene& s) { s.Actor->GetProperty()->BackfaceCullingOn(); });
   Compare("front faces culled", [](Scene& s) { s.Actor->GetProperty()->FrontfaceCullingOn(); });

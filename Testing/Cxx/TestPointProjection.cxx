@@ -132,6 +132,17 @@ struct Expected
   bool IsClose = false; // a decision, or normals that nearly cancel
 };
 
+/// In radii: 16 where the mean one is 0.9 pixels or less, 1 where it is 1.4 or more.
+double GetLargestReach(const std::vector<Point>& points)
+{
+  double sum = 0.0;
+  for (const Point& point : points)
+  {
+    sum += point.Radius;
+  }
+  return 1.0 + 15.0 * std::min(std::max((1.4 - sum / points.size()) / 0.5, 0.0), 1.0);
+}
+
 Expected Average(const std::vector<Point>& points, const std::vector<int>& inPixel, int x, int y)
 {
   Expected mean;
@@ -140,9 +151,10 @@ Expected Average(const std::vector<Point>& points, const std::vector<int>& inPix
     inPixel.begin(), inPixel.end(), [&](int a, int b) { return depthOf(a) < depthOf(b); });
   const auto& front = points[mean.Nearest].Normal;
   // what the plane of the nearest one falls by within a pixel, which is 1 wide, seen along z
-  const double slope = std::hypot(front[0], front[1]) / std::max(std::abs(front[2]), 1.0 / 16.0);
+  const double largest = GetLargestReach(points);
+  const double slope = std::hypot(front[0], front[1]) / std::max(std::abs(front[2]), 1.0 / largest);
   const double radius = points[mean.Nearest].Radius;
-  const double limit = depthOf(mean.Nearest) + std::min(std::max(slope, radius), 16.0 * radius);
+  const double limit = depthOf(mean.Nearest) + std::min(std::max(slope, radius), largest * radius);
   for (int i : inPixel)
   {
     const Point& point = points[i];
