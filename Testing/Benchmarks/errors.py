@@ -372,14 +372,13 @@ def draw_truth(scene):
 
 def inner_outlines(truth, diagonal):
     """Share of the true surface's pixels in front of a neighbour whose depth is off by more than 1% of `diagonal`."""
-    depth = truth.depth
     steps = np.zeros_like(truth.mask)
-    for axis in (0, 1):
-        near, far = (slice(None, -1), slice(1, None))
-        first, second = (tuple(part if i == axis else slice(None) for i in (0, 1)) for part in (near, far))
-        both = truth.mask[first] & truth.mask[second]
-        steps[first] |= both & (depth[second] - depth[first] > 0.01 * diagonal)
-        steps[second] |= both & (depth[first] - depth[second] > 0.01 * diagonal)
+    # along the rows and, transposed, along the columns
+    for mask, depth, found in ((truth.mask, truth.depth, steps), (truth.mask.T, truth.depth.T, steps.T)):
+        both = mask[:-1] & mask[1:]
+        rise = np.diff(depth, axis=0)
+        found[:-1] |= both & (rise > 0.01 * diagonal)
+        found[1:] |= both & (-rise > 0.01 * diagonal)
     return np.count_nonzero(steps) / max(np.count_nonzero(truth.mask), 1)
 
 
@@ -391,12 +390,13 @@ def measure(model, view, with_gains=False, pictures=None):
     scene = Scene(model, view)
     truth = draw_truth(scene)
     length = model.mesh.GetLength()
+    outlines = inner_outlines(truth, length)
     write_picture(pictures, model, view, "truth", truth)
     rows = []
     for kind, label, image in draw_rows(scene, truth):
         write_picture(pictures, model, view, kind, image)
-        rows.append(Row(model.name, view, kind, label, compare(image, truth, length)))
-        rows[-1].measures["inner_outlines"] = inner_outlines(truth, length)
+        measures = {**compare(image, truth, length), "inner_outlines": outlines}
+        rows.append(Row(model.name, view, kind, label, measures))
     gains = measure_gains(scene, view, truth, rows) if with_gains else []
     return rows, gains
 

@@ -58,10 +58,10 @@ def test_views_show_what_they_say(errors, torus):
 
 def test_inner_outlines_are_pixels_in_front_of_a_step(errors):
     depth = np.full((6, 8), 2.0)
-    depth[2:4, 3:6] = 1  # six pixels, each of them at the rim
+    depth[2:5, 3:6] = 1  # nine pixels, all but one of them at the rim
     depth[0] = 0  # nothing there: no inner outline
     truth = errors.SurfaceImage(None, None, depth)
-    assert errors.inner_outlines(truth, 1) == 6 / 40
+    assert errors.inner_outlines(truth, 1) == 8 / 40
     assert errors.inner_outlines(truth, 101) == 0  # 1% of which is more than the step
 
 
