@@ -109,18 +109,18 @@ def test_inner_outlines_of_dense_clouds(backend, covered):
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_thinning(backend):
     """Points beyond what pixels can tell apart are not drawn, and not missed."""
-    count = 200_000
+    count = 800_000
     data = random_cloud(count)
     images = {}
     for thinned in (True, False):
-        scene, images[thinned] = draw(data, backend, (100, 100), ThinPoints=thinned)
+        scene, images[thinned] = draw(data, backend, (200, 200), ThinPoints=thinned)
         assert (scene.mapper.GetLastFramePointsDrawn() == count) != thinned
     expected = draw_truth(scene)
     measured = {thinned: metrics.compare(image, expected, 3.2) for thinned, image in images.items()}
     print(f"PSNR {measured[True]['psnr']:.2f}, {measured[False]['psnr']:.2f} with all points")
-    # all of a picture as small as this is near an outline, and outlines are told by the points in their pixels
-    assert measured[True]["psnr"] > measured[False]["psnr"] - 1.8
-    assert measured[True]["unfilled"] < 2e-3
+    # much of a picture as small as this is near an outline, and outlines are told by the points in their pixels
+    assert measured[True]["psnr"] > measured[False]["psnr"] - 1
+    assert measured[True]["unfilled"] < 1e-3
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
