@@ -16,7 +16,7 @@
 
 struct vtkSurfacePixels
 {
-  static constexpr int MaximumNumberOfBands = 64;
+  static constexpr int MaximumNumberOfBands = 64; ///< as vtkSurfaceBufferVS.glsl has room for
 
   std::array<int, 4> Rectangle{}; ///< x, y, x end, y end
   std::vector<float> Surface;
