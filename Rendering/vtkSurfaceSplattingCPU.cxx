@@ -124,7 +124,9 @@ void MakeShapes(
       (lens.Rows[1][0] * x + lens.Rows[1][1] * y + lens.Rows[1][2] * z + lens.Rows[1][3]) / w;
 
     const float distance = std::sqrt(x * x + y * y + z * z);
-    const float facing = lens.Parallel ? nz : -(x * nx + y * ny + z * nz) / distance;
+    // a choice by a number: by a truth value the loop would not run on all lanes
+    const float cosine = -(x * nx + y * ny + z * nz) / distance;
+    const float facing = parallel > 0.0f ? nz : cosine;
     const float tilt = std::sqrt(nx * nx + ny * ny);
     const float limit = Parameters::LargestShareOfDepth * -z / tilt; // infinite without a tilt
     const float given = points.Radius[i];
