@@ -224,17 +224,28 @@ def reader_class(form):
     return getattr(importlib.import_module(f"vtkmodules.{form.module}"), form.reader)
 
 
-def has_bytes(path, wanted):
-    if os.path.getsize(path) == 0:
-        return False
+_WINDOW = 2**20  # bytes in which all names are looked for before the next ones
+
+
+def names_in(path, wanted):
+    """Yields those of `wanted`, some bytes, that a file has, from its end on; however many, it is gone through once."""
+    size = os.path.getsize(path)
+    if size == 0:
+        return  # which cannot be mapped
+    missing, longest = list(wanted), max(map(len, wanted))
     with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
-        return content.rfind(wanted) >= 0
+        for end in range(size, 0, -_WINDOW):
+            found = [name for name in missing if content.rfind(name, max(end - _WINDOW, 0), end + longest) >= 0]
+            yield from found
+            missing = [name for name in missing if name not in found]
+            if not missing:
+                return
 
 
 def cells_of_cam(path):
     """The file, of those beside it, with the cells of its columns; None if there is none."""
     names = glob.iglob(os.path.join(glob.escape(os.path.dirname(os.path.abspath(path))), "*.nc"))
-    return next((name for name in sorted(names) if has_bytes(name, b"element_corners")), None)
+    return next((name for name in sorted(names) if any(names_in(name, [b"element_corners"]))), None)
 
 
 class Scene:

@@ -113,8 +113,8 @@ def _kind_of_enzo(path):
 
 def _kind_of_flash(path):
     """By names in HDF5, which are as they are."""
-    has_particles, has_levels = (formats.has_bytes(path, name) for name in (b"tracer particles", b"node type"))
-    return "particles" if has_particles and not has_levels else None
+    found = list(formats.names_in(path, [b"tracer particles", b"node type"]))
+    return "particles" if found == [b"tracer particles"] else None
 
 
 def _kind_of_hdf5(path):
@@ -128,7 +128,9 @@ def _kind_of_netcdf(path):
 
 
 def _kind_by_bytes(path, kinds):
-    return next((kind for name, kind in kinds.items() if formats.has_bytes(path, name)), None)
+    """The first of those whose name is there."""
+    found = set(formats.names_in(path, kinds))
+    return next((kind for name, kind in kinds.items() if name in found), None)
 
 
 def _kind_of_obj(path):
@@ -516,7 +518,8 @@ def _check_d3plot(path):
     while os.path.exists(f"{path}{number:02d}"):
         last = f"{path}{number:02d}"
         number += 1
-    if not any(formats.has_bytes(last, struct.pack(order + kind, -999999)) for order in "<>" for kind in "fd"):
+    ends = [struct.pack(order + kind, -999999) for order in "<>" for kind in "fd"]
+    if not any(formats.names_in(last, ends)):
         raise UnreadableFile(f"{last} is cut short, or not of LS-DYNA: it does not have the number -999999 at its end")
 
 

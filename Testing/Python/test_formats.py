@@ -6,6 +6,7 @@ The formats that most people use are in test_readers.py, with more cases.
 
 import base64
 import json
+import mmap
 import struct
 import subprocess
 import sys
@@ -37,7 +38,7 @@ from vtkmodules.vtkIOParallel import vtkPDataSetWriter
 from vtkmodules.vtkIOParallelXML import vtkXMLPartitionedDataSetCollectionWriter, vtkXMLPartitionedDataSetWriter
 from vtkmodules.vtkIOXML import vtkXMLHyperTreeGridWriter, vtkXMLUniformGridAMRWriter
 
-from pointsurface import subjects
+from pointsurface import formats, readers, subjects
 from pointsurface.formats import BY_CONTENT, FORMATS, NOT_READ
 from pointsurface.readers import read
 
@@ -372,6 +373,24 @@ def test_formats_that_the_content_tells(tmp_path, extension, kind):
     if extension in HEIGHTS or kind in ("MPAS", "TRUCHAS", "UGRID"):
         heights = cloud.GetPointData().GetArray(HEIGHTS.get(extension, "height"))
         assert vtk_to_numpy(heights).tolist() == [0, 1, 2, 3]
+
+
+def test_names_are_looked_for_in_one_go(tmp_path, monkeypatch):
+    """Wherever they are, where a window ends among these; the first of the kinds is taken."""
+    monkeypatch.setattr(formats, "_WINDOW", 64)
+    maps = []
+    usual = mmap.mmap
+    monkeypatch.setattr(mmap, "mmap", lambda *args, **options: maps.append(args) or usual(*args, **options))
+    path = tmp_path / "names.nc"
+    for start in range(200):
+        path.write_bytes(b"\0" * start + b"cellsOnVertex" + b"\0" * (250 - start) + b"particlePos")
+        maps.clear()
+        wanted = [b"mesh_topology", b"cellsOnVertex", b"particlePos"]
+        assert sorted(formats.names_in(path, wanted)) == wanted[1:]
+        assert readers._kind_of_netcdf(path) == "SLAC particles"
+        assert len(maps) == 2
+    path.write_bytes(b"")
+    assert list(formats.names_in(path, [b"particlePos"])) == []
 
 
 def test_volumes_of_levels_are_not_sampled_without_end(tmp_path, monkeypatch):
