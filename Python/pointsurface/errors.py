@@ -49,18 +49,36 @@ def complaints():
 
 @contextmanager
 def silent(stream):
-    """Keeps off standard output (1) or standard error (2) what VTK's objects write there, not through Python's; 0: nothing."""
+    """Keeps off standard output (1) or standard error (2) what VTK's objects write there; 0: nothing.
+
+    What comes through Python's sys.stdout or sys.stderr, as progress does, is still written.
+    """
     if not stream:
         yield
         return
-    sys.stdout.flush()
-    sys.stderr.flush()
-    usual = os.dup(stream)
+    name = {1: "stdout", 2: "stderr"}[stream]
+    usual = getattr(sys, name)
+    kept = os.dup(stream)
     nowhere = os.open(os.devnull, os.O_WRONLY)
+    shown = usual
+    if _writes_to(usual, stream):  # and not to a file, or to a notebook
+        usual.flush()
+        shown = open(kept, "w", buffering=1, encoding=usual.encoding, errors=usual.errors, closefd=False)
     try:
         os.dup2(nowhere, stream)
+        setattr(sys, name, shown)
         yield
     finally:
-        os.dup2(usual, stream)
-        os.close(usual)
+        setattr(sys, name, usual)
+        if shown is not usual:
+            shown.close()
+        os.dup2(kept, stream)
+        os.close(kept)
         os.close(nowhere)
+
+
+def _writes_to(file, stream):
+    try:
+        return file.fileno() == stream
+    except (AttributeError, OSError):  # there is none, or it has no number
+        return False

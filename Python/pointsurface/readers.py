@@ -189,7 +189,7 @@ def _read_with_vtk(path, extension, form, tell):
         reader = formats.make_reader(form, path) if form else _pcd_reader(path)
         can_tell = hasattr(reader, "AbortExecuteOn")  # importers cannot
         shown = followed(reader, f"reading {path}") if tell and can_tell else nullcontext()
-        with shown, silent(form.prints if form else 0):
+        with silent(form.prints if form else 0), shown:
             reader.Update()
     errors = said("ERROR")
     if errors:

@@ -295,3 +295,32 @@ def test_progress_is_a_line_a_second_without_a_bar(monkeypatch):
         for fraction in (0.2, 0.4, 0.6):
             show(fraction)
     assert terminal.text == "reading: 40% ...\n"
+
+
+NOISY = """
+import itertools, os, sys
+from pointsurface import formats, progress, readers
+
+progress.time.monotonic = itertools.count().__next__  # a second each time that it is asked
+formats.FORMATS["vtp"] = formats.FORMATS["vtp"]._replace(prints=2)
+make_reader = formats.make_reader
+
+
+def make_noisy(form, path):
+    reader = make_reader(form, path)
+    reader.AddObserver("StartEvent", lambda *_: os.write(2, b"noise"))
+    return reader
+
+
+formats.make_reader = make_noisy
+readers.read(sys.argv[1], tell=True)
+os.write(2, b"heard")
+"""
+
+
+def test_progress_is_seen_where_a_reader_prints(bare):
+    """What it prints itself is not, until it has ended."""
+    said = subprocess.run([sys.executable, "-c", NOISY, str(bare)], capture_output=True, text=True).stderr
+    assert f"reading {bare}: " in said
+    assert "noise" not in said
+    assert said.endswith("heard")
