@@ -51,11 +51,4 @@
 #define VTK_POINT_SURFACE_UNROLL
 #endif
 
-// The memory at an address will be read soon.
-#if defined(__GNUC__)
-#define VTK_POINT_SURFACE_PREFETCH(address) __builtin_prefetch(address)
-#else
-#define VTK_POINT_SURFACE_PREFETCH(address)
-#endif
-
 #endif

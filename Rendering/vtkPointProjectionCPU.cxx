@@ -19,7 +19,6 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
-#include <utility>
 #include <vector>
 
 namespace
@@ -33,9 +32,6 @@ constexpr int BandRows = 32;
 
 /// Chunks whose points are listed, before what is listed is added up: the lists stay small.
 constexpr int RoundChunks = 32;
-
-/// Points between the one that is fetched and the one whose memory is asked for.
-constexpr size_t FetchAhead = 12;
 
 /// No point: above every key of MakeKey().
 constexpr std::uint64_t NoPoint = ~std::uint64_t(0);
@@ -86,13 +82,13 @@ VTK_POINT_SURFACE_INLINE void LoadTuples(
 }
 
 VTK_POINT_SURFACE_CLONES
-void LoadFloats(Block& block, int count, const float* tuples, const double* origin)
+void LoadInOrder(Block& block, int count, const float* tuples, const double* origin)
 {
   LoadTuples(block, count, tuples, origin);
 }
 
 VTK_POINT_SURFACE_CLONES
-void LoadDoubles(Block& block, int count, const double* tuples, const double* origin)
+void LoadInOrder(Block& block, int count, const double* tuples, const double* origin)
 {
   LoadTuples(block, count, tuples, origin);
 }
@@ -105,9 +101,12 @@ void LoadListed(
   T listed[3 * BlockSize];
   for (int i = 0; i < count; ++i)
   {
-    std::copy_n(tuples + 3 * static_cast<size_t>(places[i]), 3, listed + 3 * i);
+    const T* tuple = tuples + 3 * static_cast<size_t>(places[i]);
+    listed[3 * i] = tuple[0];
+    listed[3 * i + 1] = tuple[1];
+    listed[3 * i + 2] = tuple[2];
   }
-  LoadTuples(block, count, listed, origin);
+  LoadInOrder(block, count, listed, origin);
 }
 
 /// See Part::ListPoints().
@@ -115,14 +114,14 @@ void Load(Block& block, vtkIdType first, int count, const float* tuples, const u
   const double* origin)
 {
   first < 0 ? LoadListed(block, count, tuples, places, origin)
-            : LoadFloats(block, count, tuples + 3 * first, origin);
+            : LoadInOrder(block, count, tuples + 3 * first, origin);
 }
 
 void Load(Block& block, vtkIdType first, int count, const double* tuples,
   const unsigned int* places, const double* origin)
 {
   first < 0 ? LoadListed(block, count, tuples, places, origin)
-            : LoadDoubles(block, count, tuples + 3 * first, origin);
+            : LoadInOrder(block, count, tuples + 3 * first, origin);
 }
 
 /// The rows of a matrix of eye or clip coordinates, for column vectors.
@@ -148,6 +147,18 @@ struct vtkPointProjectionCPU::Transform
   int Rectangle[4];  // x, y, width, height
   int Cull;
   bool Parallel;
+};
+
+/// What the points of a block leave in their pixels.
+struct vtkPointProjectionCPU::Footprints
+{
+  Block Positions; // in eye coordinates
+  Block Normals;   // at first the cloud's, zero where none is known; then of unit length
+  alignas(64) float Radii[BlockSize]; // at first the cloud's, then in eye coordinates
+  alignas(64) int Columns[BlockSize], Rows[BlockSize];
+  alignas(64) float CenterX[BlockSize], CenterY[BlockSize];
+  // how far behind it points of its pixel are averaged with it
+  alignas(64) float Reaches[BlockSize];
 };
 
 namespace
@@ -214,6 +225,93 @@ void ProjectBlock(Block& block, const Block& normals, int count,
     const int facesViewer = toViewer + parallel * z >= 0.0f ? 1 : 0;
     const int pixel = pixels[i];
     pixels[i] = facesViewer == static_cast<int>(keepFront) ? pixel : -1;
+  }
+}
+
+VTK_POINT_SURFACE_CLONES
+void BringToEye(Block& block, int count, const vtkPointProjectionCPU::Transform& transform)
+{
+  const vtkPointProjectionCPU::Transform t = transform; // that no write below can change
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int i = 0; i < count; ++i)
+  {
+    const float x = t.Eye[0].Of(block.X[i], block.Y[i], block.Z[i]);
+    const float y = t.Eye[1].Of(block.X[i], block.Y[i], block.Z[i]);
+    const float z = t.Eye[2].Of(block.X[i], block.Y[i], block.Z[i]);
+    block.X[i] = x;
+    block.Y[i] = y;
+    block.Z[i] = z;
+  }
+}
+
+/// Columns and rows of pixels of a rectangle.
+VTK_POINT_SURFACE_CLONES
+void SplitPixels(
+  const int* pixels, int count, const std::array<int, 4>& rectangle, int* columns, int* rows)
+{
+  const int x = rectangle[0];
+  const int y = rectangle[1];
+  const int width = rectangle[2] - x;
+  const double inverse = 1.0 / width;
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int i = 0; i < count; ++i)
+  {
+    const int row = static_cast<int>((pixels[i] + 0.5) * inverse); // a whole division is slow
+    rows[i] = y + row;
+    columns[i] = x + pixels[i] - row * width;
+  }
+}
+
+/// From positions, normals, radii and pixels.
+VTK_POINT_SURFACE_CLONES
+void FindFootprints(vtkPointProjectionCPU::Footprints& points, int count,
+  const vtkPointProjectionCPU::Transform& transform, const vtkPointProjectionOptions& options)
+{
+  const vtkPointProjectionCPU::Transform t = transform; // that no write below can change
+  // toViewer is (0, 0, 1) in parallel, else minus the position
+  const float parallel = t.Parallel ? 1.0f : 0.0f;
+  const float perspective = t.Parallel ? 0.0f : -1.0f;
+  const float subpixel = options.SubpixelCenters ? 1.0f : 0.0f;
+  const float largestReach = options.LargestReach;
+  const float leastAlong = 1.0f / largestReach;
+  const float pixelSize = 1.0f / (t.HalfSize[1] * std::abs(t.Clip[1].Y)); // where w is 1
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int i = 0; i < count; ++i)
+  {
+    const float x = points.Positions.X[i];
+    const float y = points.Positions.Y[i];
+    const float z = points.Positions.Z[i];
+    const float distance = std::sqrt(x * x + y * y + z * z);
+    const float nx = t.Normal[0].Of(points.Normals.X[i], points.Normals.Y[i], points.Normals.Z[i]);
+    const float ny = t.Normal[1].Of(points.Normals.X[i], points.Normals.Y[i], points.Normals.Z[i]);
+    const float nz = t.Normal[2].Of(points.Normals.X[i], points.Normals.Y[i], points.Normals.Z[i]);
+    const float length = std::sqrt(nx * nx + ny * ny + nz * nz);
+    const bool known = length > 0.0f; // else it faces the viewer
+    const float ofNormal = known ? 1.0f / length : 0.0f;
+    const float ofViewer = known ? 0.0f : parallel - perspective / distance;
+    const float normalX = ofNormal * nx + ofViewer * perspective * x;
+    const float normalY = ofNormal * ny + ofViewer * perspective * y;
+    const float normalZ = ofNormal * nz + ofViewer * (perspective * z + parallel);
+    points.Normals.X[i] = normalX;
+    points.Normals.Y[i] = normalY;
+    points.Normals.Z[i] = normalZ;
+
+    const float w = t.Clip[3].Of(x, y, z);
+    const float windowX = t.HalfSize[0] * (t.Clip[0].Of(x, y, z) / w + 1.0f);
+    const float windowY = t.HalfSize[1] * (t.Clip[1].Of(x, y, z) / w + 1.0f);
+    points.CenterX[i] = subpixel * (windowX - (static_cast<float>(points.Columns[i]) + 0.5f));
+    points.CenterY[i] = subpixel * (windowY - (static_cast<float>(points.Rows[i]) + 0.5f));
+
+    const float radius = t.RadiusScale * points.Radii[i];
+    const float toEye = (normalX * x + normalY * y + normalZ * z) / distance;
+    const float along = std::abs(parallel * normalZ + perspective * toEye);
+    const float across2 = 1.0f - along * along;
+    const float across = std::sqrt(across2 > 0.0f ? across2 : 0.0f);
+    const float slope = across / (along > leastAlong ? along : leastAlong);
+    const float reach = w * pixelSize * slope / radius;
+    const float atLeast = reach > 1.0f ? reach : 1.0f;
+    points.Reaches[i] = radius * (atLeast < largestReach ? atLeast : largestReach);
+    points.Radii[i] = radius;
   }
 }
 }
@@ -341,10 +439,59 @@ struct vtkPointProjectionCPU::Part
     return place - static_cast<size_t>(this->Source->FirstId);
   }
 
-  unsigned int GetId(unsigned int place) const
+  unsigned int GetId(size_t ownPlace) const
   {
     const std::vector<unsigned int>& ids = this->Source->Projection->Points->GetOrder().GetIds();
-    return ids[this->GetOwnPlace(place)] + static_cast<unsigned int>(this->Source->FirstId);
+    return ids[ownPlace] + static_cast<unsigned int>(this->Source->FirstId);
+  }
+
+  std::array<float, 4> GetColor(size_t ownPlace) const
+  {
+    const vtkPointProjectionCPU& cloud = *this->Source->Projection;
+    return cloud.Colors ? cloud.GetColor(ownPlace) : this->Source->Color;
+  }
+
+  float GetRadius(size_t ownPlace) const
+  {
+    const vtkPointProjectionCPU& cloud = *this->Source->Projection;
+    return cloud.Radii ? cloud.Radii[ownPlace]
+                       : static_cast<float>(cloud.Points->GetUniformRadius());
+  }
+
+  /// Positions about the origin, of points as ListPoints() tells them.
+  void LoadPositions(Block& block, vtkIdType first, int count, const unsigned int* ownPlaces) const
+  {
+    const vtkPointProjectionCPU& cloud = *this->Source->Projection;
+    const double* origin = cloud.Origin.data();
+    cloud.FloatPositions ? Load(block, first, count, cloud.FloatPositions, ownPlaces, origin)
+                         : Load(block, first, count, cloud.DoublePositions, ownPlaces, origin);
+  }
+
+  /// The same of normals, zero where the cloud has none.
+  void LoadNormals(Block& block, vtkIdType first, int count, const unsigned int* ownPlaces) const
+  {
+    const vtkPointProjectionCPU& cloud = *this->Source->Projection;
+    const double zero[3] = { 0.0, 0.0, 0.0 };
+    if (cloud.Normals)
+    {
+      Load(block, first, count, cloud.Normals, ownPlaces, zero);
+    }
+    else
+    {
+      block = {};
+    }
+  }
+
+  /// Of points whose positions in eye coordinates and pixels are known.
+  void FetchFootprints(const vtkPointProjectionOptions& options, const unsigned int* ownPlaces,
+    int count, Footprints& points) const
+  {
+    this->LoadNormals(points.Normals, -1, count, ownPlaces);
+    for (int i = 0; i < count; ++i)
+    {
+      points.Radii[i] = this->GetRadius(ownPlaces[i]);
+    }
+    FindFootprints(points, count, this->View, options);
   }
 };
 
@@ -420,61 +567,59 @@ int vtkPointProjectionCPU::GetNumberOfBands(const Transform& transform)
   return (transform.Rectangle[3] + BandRows - 1) / BandRows;
 }
 
-inline float vtkPointProjectionCPU::GetRadius(size_t place) const
+/// The points of a block that something is done with.
+struct vtkPointProjectionCPU::BlockPoints
 {
-  return this->Radii ? this->Radii[place] : static_cast<float>(this->Points->GetUniformRadius());
-}
+  Block Positions;                    // in eye coordinates
+  unsigned int Places[BlockSize + 1]; // in the cloud
+  int Pixels[BlockSize];              // of the rectangle
+  float Depths[BlockSize];
+  int List[BlockSize]; // those that are wanted, in their order
+  int Count;           // of them
+};
 
-/// Calls take(chunk, pixel, depth, place) for the points of some chunks of a part that fall into
-/// the rectangle and that isWanted(pixel, depth, place) is true of; those of a chunk in their order
-/// and from one thread.
+/// Calls take(chunk, points) for the blocks of some chunks of a part, with their points that fall
+/// into the rectangle and that isWanted(pixel, depth, place) is true of; the blocks of a chunk in
+/// their order and from one thread. `place` is among the points of all clouds.
 template <typename IsWanted, typename Take>
-void vtkPointProjectionCPU::ForSeenPoints(
+void vtkPointProjectionCPU::ForSeenBlocks(
   const Part& part, int firstChunk, int endChunk, const IsWanted& isWanted, const Take& take)
 {
-  const vtkPointProjectionCPU& cloud = *part.Source->Projection;
   const auto firstId = static_cast<unsigned int>(part.Source->FirstId);
   const bool culls = part.View.Cull != vtkPointSurfaceView::NoCulling;
   auto drawChunk = [&](vtkIdType chunk)
   {
-    const double zero[3] = { 0.0, 0.0, 0.0 };
-    Block positions;
+    BlockPoints points;
     Block normals;
-    unsigned int places[BlockSize + 1];
-    int pixels[BlockSize];
-    int list[BlockSize];
-    float depths[BlockSize];
     const size_t end = std::min(part.Blocks.size(), static_cast<size_t>(chunk + 1) * ChunkBlocks);
     for (size_t block = static_cast<size_t>(chunk) * ChunkBlocks; block < end; ++block)
     {
       vtkIdType first;
-      const int size = part.ListPoints(block, places, first);
-      cloud.FloatPositions
-        ? Load(positions, first, size, cloud.FloatPositions, places, cloud.Origin.data())
-        : Load(positions, first, size, cloud.DoublePositions, places, cloud.Origin.data());
+      const int size = part.ListPoints(block, points.Places, first);
+      part.LoadPositions(points.Positions, first, size, points.Places);
       if (culls)
       {
-        Load(normals, first, size, cloud.Normals, places, zero);
+        part.LoadNormals(normals, first, size, points.Places);
       }
-      ProjectBlock(positions, normals, size, part.View, pixels, depths);
+      ProjectBlock(points.Positions, normals, size, part.View, points.Pixels, points.Depths);
       // without branches that half of the points would take
       int seen = 0;
       for (int i = 0; i < size; ++i)
       {
-        list[seen] = i;
-        seen += pixels[i] >= 0 ? 1 : 0;
+        points.List[seen] = i;
+        seen += points.Pixels[i] >= 0 ? 1 : 0;
       }
-      int wanted = 0;
+      points.Count = 0;
       for (int k = 0; k < seen; ++k)
       {
-        const int i = list[k];
-        list[wanted] = i;
-        wanted += isWanted(pixels[i], depths[i], firstId + places[i]) ? 1 : 0;
+        const int i = points.List[k];
+        points.List[points.Count] = i;
+        points.Count +=
+          isWanted(points.Pixels[i], points.Depths[i], firstId + points.Places[i]) ? 1 : 0;
       }
-      for (int k = 0; k < wanted; ++k)
+      if (points.Count > 0)
       {
-        const int i = list[k];
-        take(static_cast<int>(chunk), pixels[i], depths[i], firstId + places[i]);
+        take(static_cast<int>(chunk), points);
       }
     }
   };
@@ -516,35 +661,41 @@ void KeepLeast(std::atomic<std::uint64_t>& least, std::uint64_t key)
 
 void vtkPointProjectionCPU::FindVisiblePoints(const Part& part)
 {
-  ForSeenPoints(
+  const auto firstId = static_cast<unsigned int>(part.Source->FirstId);
+  ForSeenBlocks(
     part, 0, part.GetNumberOfChunks(),
     [this](int pixel, float depth, unsigned int place)
     { return MakeKey(depth, place) < this->Nearest[pixel].load(std::memory_order_relaxed); },
-    [this](int, int pixel, float depth, unsigned int place)
-    { KeepLeast(this->Nearest[pixel], MakeKey(depth, place)); });
+    [&](int, const BlockPoints& points)
+    {
+      for (int k = 0; k < points.Count; ++k)
+      {
+        const int i = points.List[k];
+        KeepLeast(
+          this->Nearest[points.Pixels[i]], MakeKey(points.Depths[i], firstId + points.Places[i]));
+      }
+    });
 }
 
 /// The same for the farthest points that are within the limits.
 void vtkPointProjectionCPU::FindFarthestPoints(const Part& part)
 {
-  ForSeenPoints(
+  const auto firstId = static_cast<unsigned int>(part.Source->FirstId);
+  ForSeenBlocks(
     part, 0, part.GetNumberOfChunks(),
     [this](int pixel, float depth, unsigned int) { return depth <= this->Limits[pixel]; },
-    [this](int, int pixel, float depth, unsigned int place)
-    { KeepLeast(this->Nearest[pixel], MakeKey(-depth, place)); });
+    [&](int, const BlockPoints& points)
+    {
+      for (int k = 0; k < points.Count; ++k)
+      {
+        const int i = points.List[k];
+        KeepLeast(
+          this->Nearest[points.Pixels[i]], MakeKey(-points.Depths[i], firstId + points.Places[i]));
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
-struct vtkPointProjectionCPU::Footprint
-{
-  float Normal[3];
-  float Radius;
-  float Depth;
-  float Center[2];
-  float Reach; // how far behind it points of its pixel are averaged with it
-  std::array<float, 4> Color;
-};
-
 void vtkPointProjectionCPU::FetchVisiblePoints(
   const std::vector<Part>& parts, const vtkPointProjectionOptions& options, vtkSurfaceImage& image)
 {
@@ -568,64 +719,55 @@ void vtkPointProjectionCPU::FetchRow(const std::vector<Part>& parts,
 {
   const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
   image.ClearBlocks(y, image.GetBlockBegin(), image.GetBlockEnd());
-  std::vector<std::pair<int, unsigned int>> visible; // columns and places
-  const std::atomic<std::uint64_t>* nearest =
-    &this->Nearest[static_cast<size_t>(y - r[1]) * (r[2] - r[0])];
-  for (int x = r[0]; x < r[2]; ++x, ++nearest)
+  const size_t firstPixel = static_cast<size_t>(y - r[1]) * (r[2] - r[0]);
+  Footprints points;
+  unsigned int places[BlockSize]; // in the cloud
+  int x = r[0];
+  while (x < r[2])
   {
-    const std::uint64_t key = nearest->load(std::memory_order_relaxed);
-    if (key != NoPoint)
+    // those of one cloud that follow each other
+    const Part* part = nullptr;
+    int count = 0;
+    for (; x < r[2] && count < BlockSize; ++x)
     {
-      visible.emplace_back(x, GetPlace(key));
+      const std::uint64_t key =
+        this->Nearest[firstPixel + x - r[0]].load(std::memory_order_relaxed);
+      if (key == NoPoint)
+      {
+        continue;
+      }
+      const Part* own = &GetPart(parts, GetPlace(key));
+      if (part && part != own)
+      {
+        break;
+      }
+      part = own;
+      points.Columns[count] = x;
+      points.Rows[count] = y;
+      places[count] = static_cast<unsigned int>(part->GetOwnPlace(GetPlace(key)));
+      ++count;
     }
-  }
-  for (size_t i = 0; i < visible.size(); ++i)
-  {
-    if (i + FetchAhead < visible.size())
+    if (count > 0)
     {
-      const unsigned int ahead = visible[i + FetchAhead].second;
-      Prefetch(GetPart(parts, ahead), ahead);
-    }
-    const int x = visible[i].first;
-    const unsigned int place = visible[i].second;
-    const Part& part = GetPart(parts, place);
-    const Footprint point = GetFootprint(part, options, place, x, y);
-    if (options.AveragePoints)
-    {
-      this->Limits[static_cast<size_t>(y - r[1]) * (r[2] - r[0]) + x - r[0]] =
-        point.Depth + point.Reach;
-    }
-    image.GetOccupied(y)[x / vtkSurfaceImage::BlockSize] = 1;
-    float* pixel = image.GetRow(y, 0) + x;
-    const size_t plane = image.GetPlaneStride();
-    for (int k = 0; k < 3; ++k)
-    {
-      pixel[(vtkSurfaceImage::NormalX + k) * plane] = point.Normal[k];
-    }
-    pixel[vtkSurfaceImage::Radius * plane] = point.Radius;
-    pixel[vtkSurfaceImage::IntervalX * plane] = point.Depth;
-    pixel[vtkSurfaceImage::IntervalY * plane] =
-      options.CenterDepths ? 0.0f : point.Depth + point.Radius;
-    pixel[vtkSurfaceImage::CenterX * plane] = point.Center[0];
-    pixel[vtkSurfaceImage::CenterY * plane] = point.Center[1];
-    if (image.HasIds())
-    {
-      image.GetIds(y)[x] = part.GetId(place) + 1;
-    }
-    for (int k = 0; image.HasColors() && k < 4; ++k)
-    {
-      pixel[(vtkSurfaceImage::Red + k) * plane] = point.Color[k];
+      part->LoadPositions(points.Positions, -1, count, places);
+      BringToEye(points.Positions, count, part->View);
+      part->FetchFootprints(options, places, count, points);
+      this->WriteFootprints(*part, options, places, count, points, image);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-/// A point that shares a pixel of the rectangle with a nearer one, within reach of it.
-struct vtkPointProjectionCPU::Companion
+/// Points that share pixels of the rectangle with nearer ones, within reach of these.
+struct vtkPointProjectionCPU::Companions
 {
-  int X, Y;
-  bool TwoSided; // it is turned as the nearest one is
-  Footprint Point;
+  struct Point
+  {
+    int Pixel; // of the rectangle
+    float Values[vtkSurfaceImage::NumberOfShapePlanes];
+  };
+  std::vector<Point> Points;
+  std::vector<std::array<float, 4>> Colors; // where the layer is wanted
 };
 
 /// What the points of a band of rows add up to, in the pixels that have several.
@@ -633,11 +775,12 @@ struct vtkPointProjectionCPU::BandSums
 {
   struct Sum
   {
-    int X, Y;
+    int Pixel; // of the rectangle
     float FrontNormal[3];
+    // of the planes of an image; in the place of IntervalY, which has no mean, their number
     float Values[vtkSurfaceImage::NumberOfPlanes];
-    float Count;
   };
+  static constexpr int Count = vtkSurfaceImage::IntervalY;
   std::vector<int> Places; // in Sums, of each pixel of the band; -1 for none
   std::vector<Sum> Sums;
 };
@@ -650,7 +793,7 @@ void vtkPointProjectionCPU::AveragePoints(
 {
   const int bands = GetNumberOfBands(parts.front().View);
   this->Sums.resize(bands);
-  this->Companions.resize(static_cast<size_t>(RoundChunks) * bands);
+  this->Listed.resize(static_cast<size_t>(RoundChunks) * bands);
   const auto forBands = [bands](const std::function<void(int)>& work)
   {
     vtkSMPTools::For(0, bands, 1,
@@ -673,88 +816,108 @@ void vtkPointProjectionCPU::AveragePoints(
   {
     for (int chunk = 0; chunk < part.GetNumberOfChunks(); chunk += RoundChunks)
     {
-      this->ListCompanions(part, options, chunk, image.GetRectangle());
-      forBands([&](int band) { this->AddCompanions(band, image); });
+      this->ListCompanions(part, options, chunk, image);
+      forBands([&](int band) { this->AddCompanions(part, band, image); });
     }
   }
   forBands([&](int band) { WriteAverages(this->Sums[band], options, image); });
 }
 
 void vtkPointProjectionCPU::ListCompanions(const Part& part,
-  const vtkPointProjectionOptions& options, int firstChunk, const std::array<int, 4>& rectangle)
+  const vtkPointProjectionOptions& options, int firstChunk, const vtkSurfaceImage& image)
 {
   const int bands = GetNumberOfBands(part.View);
-  const int width = part.View.Rectangle[2];
-  const bool twoSided = part.View.Cull == vtkPointSurfaceView::NoCulling;
-  for (std::vector<Companion>& companions : this->Companions)
+  const int bottom = image.GetRectangle()[1];
+  const auto firstId = static_cast<unsigned int>(part.Source->FirstId);
+  for (Companions& companions : this->Listed)
   {
-    companions.clear();
+    companions.Points.clear();
+    companions.Colors.clear();
   }
-  ForSeenPoints(
+  ForSeenBlocks(
     part, firstChunk, std::min(firstChunk + RoundChunks, part.GetNumberOfChunks()),
     [&](int pixel, float depth, unsigned int place)
     {
       const std::uint64_t nearest = this->Nearest[pixel].load(std::memory_order_relaxed);
       return (GetPlace(nearest) != place) & (depth <= this->Limits[pixel]);
     },
-    [&](int chunk, int pixel, float, unsigned int place)
+    [&](int chunk, const BlockPoints& seen)
     {
-      const int row = pixel / width;
-      const int x = rectangle[0] + pixel - row * width;
-      const int y = rectangle[1] + row;
-      this->Companions[(chunk - firstChunk) * bands + row / BandRows].push_back(
-        { x, y, twoSided, GetFootprint(part, options, place, x, y) });
+      int pixels[BlockSize];
+      unsigned int places[BlockSize];
+      Footprints points;
+      for (int k = 0; k < seen.Count; ++k)
+      {
+        const int i = seen.List[k];
+        pixels[k] = seen.Pixels[i];
+        places[k] = seen.Places[i];
+        points.Positions.X[k] = seen.Positions.X[i];
+        points.Positions.Y[k] = seen.Positions.Y[i];
+        points.Positions.Z[k] = seen.Positions.Z[i];
+      }
+      SplitPixels(pixels, seen.Count, image.GetRectangle(), points.Columns, points.Rows);
+      part.FetchFootprints(options, places, seen.Count, points);
+      Companions* listed = &this->Listed[static_cast<size_t>(chunk - firstChunk) * bands];
+      for (int k = 0; k < seen.Count; ++k)
+      {
+        Companions& companions = listed[(points.Rows[k] - bottom) / BandRows];
+        companions.Points.push_back({ pixels[k],
+          { points.Normals.X[k], points.Normals.Y[k], points.Normals.Z[k], points.Radii[k],
+            -points.Positions.Z[k], 1.0f, points.CenterX[k], points.CenterY[k] } });
+        if (image.HasColors())
+        {
+          companions.Colors.push_back(part.GetColor(places[k]));
+        }
+      }
     });
 }
 
-void vtkPointProjectionCPU::AddCompanions(int band, vtkSurfaceImage& image)
+void vtkPointProjectionCPU::AddCompanions(const Part& part, int band, vtkSurfaceImage& image)
 {
   const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
   const int width = r[2] - r[0];
-  const int firstRow = r[1] + band * BandRows;
+  const int firstPixel = band * BandRows * width;
   const size_t plane = image.GetPlaneStride();
-  const int planes = image.GetNumberOfPlanes();
-  const size_t bands = this->Companions.size() / RoundChunks;
+  const bool twoSided = part.View.Cull == vtkPointSurfaceView::NoCulling;
+  const size_t bands = this->Sums.size();
   BandSums& bandSums = this->Sums[band];
-  for (size_t list = band; list < this->Companions.size(); list += bands)
+  for (size_t list = band; list < this->Listed.size(); list += bands)
   {
-    for (const Companion& companion : this->Companions[list])
+    const Companions& companions = this->Listed[list];
+    for (size_t i = 0; i < companions.Points.size(); ++i)
     {
-      int& index = bandSums.Places[(companion.Y - firstRow) * width + companion.X - r[0]];
+      const Companions::Point& point = companions.Points[i];
+      int& index = bandSums.Places[point.Pixel - firstPixel];
       if (index < 0)
       {
         index = static_cast<int>(bandSums.Sums.size());
         bandSums.Sums.push_back({});
         BandSums::Sum& sum = bandSums.Sums.back();
-        sum.X = companion.X;
-        sum.Y = companion.Y;
-        sum.Count = 1.0f;
-        const float* pixel = image.GetRow(sum.Y, 0) + sum.X;
-        for (int k = 0; k < planes; ++k)
+        sum.Pixel = point.Pixel;
+        const int row = point.Pixel / width;
+        const float* pixel = image.GetRow(r[1] + row, 0) + r[0] + point.Pixel - row * width;
+        for (int k = 0; k < image.GetNumberOfPlanes(); ++k)
         {
           sum.Values[k] = pixel[k * plane];
         }
+        sum.Values[BandSums::Count] = 1.0f;
         std::copy_n(sum.Values, 3, sum.FrontNormal);
       }
       BandSums::Sum& sum = bandSums.Sums[index];
-      const Footprint& point = companion.Point;
-      const float* n = point.Normal;
-      const float alike =
-        n[0] * sum.FrontNormal[0] + n[1] * sum.FrontNormal[1] + n[2] * sum.FrontNormal[2];
-      const bool turned = companion.TwoSided && alike < 0.0f;
-      for (int k = 0; k < 3; ++k)
+      const float alike = point.Values[0] * sum.FrontNormal[0] +
+        point.Values[1] * sum.FrontNormal[1] + point.Values[2] * sum.FrontNormal[2];
+      // it is turned as the nearest one is
+      const float side = twoSided & (alike < 0.0f) ? -1.0f : 1.0f;
+      const float sides[vtkSurfaceImage::NumberOfShapePlanes] = { side, side, side, 1.0f, 1.0f,
+        1.0f, 1.0f, 1.0f };
+      for (int k = 0; k < vtkSurfaceImage::NumberOfShapePlanes; ++k)
       {
-        sum.Values[k] += turned ? -n[k] : n[k];
+        sum.Values[k] += sides[k] * point.Values[k];
       }
-      sum.Values[vtkSurfaceImage::Radius] += point.Radius;
-      sum.Values[vtkSurfaceImage::IntervalX] += point.Depth;
-      sum.Values[vtkSurfaceImage::CenterX] += point.Center[0];
-      sum.Values[vtkSurfaceImage::CenterY] += point.Center[1];
       for (int k = 0; image.HasColors() && k < 4; ++k)
       {
-        sum.Values[vtkSurfaceImage::Red + k] += point.Color[k];
+        sum.Values[vtkSurfaceImage::Red + k] += companions.Colors[i][k];
       }
-      sum.Count += 1.0f;
     }
   }
 }
@@ -762,6 +925,8 @@ void vtkPointProjectionCPU::AddCompanions(int band, vtkSurfaceImage& image)
 void vtkPointProjectionCPU::WriteAverages(
   const BandSums& bandSums, const vtkPointProjectionOptions& options, vtkSurfaceImage& image)
 {
+  const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
+  const int width = r[2] - r[0];
   const size_t plane = image.GetPlaneStride();
   const int planes = image.GetNumberOfPlanes();
   for (const BandSums::Sum& sum : bandSums.Sums)
@@ -769,7 +934,8 @@ void vtkPointProjectionCPU::WriteAverages(
     const float* n = sum.Values;
     const float size = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     const bool cancels = size < 1e-6f;
-    float* pixel = image.GetRow(sum.Y, 0) + sum.X;
+    const int row = sum.Pixel / width;
+    float* pixel = image.GetRow(r[1] + row, 0) + r[0] + sum.Pixel - row * width;
     const float nearest = pixel[vtkSurfaceImage::IntervalX * plane];
     for (int k = 0; k < 3; ++k)
     {
@@ -780,12 +946,12 @@ void vtkPointProjectionCPU::WriteAverages(
       const bool isInterval = k == vtkSurfaceImage::IntervalX || k == vtkSurfaceImage::IntervalY;
       if (!isInterval)
       {
-        pixel[k * plane] = sum.Values[k] / sum.Count;
+        pixel[k * plane] = sum.Values[k] / sum.Values[BandSums::Count];
       }
     }
     if (options.CenterDepths)
     {
-      const float mean = sum.Values[vtkSurfaceImage::IntervalX] / sum.Count;
+      const float mean = sum.Values[vtkSurfaceImage::IntervalX] / sum.Values[BandSums::Count];
       pixel[vtkSurfaceImage::IntervalX * plane] = mean;
       pixel[vtkSurfaceImage::IntervalY * plane] = mean - nearest;
     }
@@ -793,85 +959,46 @@ void vtkPointProjectionCPU::WriteAverages(
 }
 
 //------------------------------------------------------------------------------
-inline void vtkPointProjectionCPU::Prefetch(const Part& part, unsigned int jointPlace)
+void vtkPointProjectionCPU::WriteFootprints(const Part& part,
+  const vtkPointProjectionOptions& options, const unsigned int* places, int count,
+  const Footprints& points, vtkSurfaceImage& image)
 {
-  const vtkPointProjectionCPU& cloud = *part.Source->Projection;
-  const size_t place = part.GetOwnPlace(jointPlace);
-  if (cloud.Normals)
+  const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
+  const size_t plane = image.GetPlaneStride();
+  for (int i = 0; i < count; ++i)
   {
-    VTK_POINT_SURFACE_PREFETCH(cloud.Normals + 3 * place);
-  }
-  VTK_POINT_SURFACE_PREFETCH(cloud.FloatPositions
-      ? static_cast<const void*>(cloud.FloatPositions + 3 * place)
-      : cloud.DoublePositions + 3 * place);
-  if (cloud.Radii)
-  {
-    VTK_POINT_SURFACE_PREFETCH(cloud.Radii + place);
-  }
-}
-
-inline vtkPointProjectionCPU::Footprint vtkPointProjectionCPU::GetFootprint(
-  const Part& part, const vtkPointProjectionOptions& options, unsigned int jointPlace, int x, int y)
-{
-  const vtkPointProjectionCPU& cloud = *part.Source->Projection;
-  const Transform& t = part.View;
-  const size_t place = part.GetOwnPlace(jointPlace);
-  Footprint point;
-  const float none[3] = { 0.0f, 0.0f, 0.0f };
-  const float* n = cloud.Normals ? cloud.Normals + 3 * place : none;
-  const std::array<float, 3> p = cloud.GetPosition(place);
-  float eye[3];
-  float normal[3];
-  for (int k = 0; k < 3; ++k)
-  {
-    eye[k] = t.Eye[k].Of(p[0], p[1], p[2]);
-    normal[k] = t.Normal[k].Of(n[0], n[1], n[2]);
-  }
-  float length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-  if (!(length > 0.0f)) // none is known: it faces the viewer
-  {
-    for (int k = 0; k < 3; ++k)
+    const int x = points.Columns[i];
+    const int y = points.Rows[i];
+    const float depth = -points.Positions.Z[i];
+    if (options.AveragePoints)
     {
-      normal[k] = t.Parallel ? (k == 2 ? 1.0f : 0.0f) : -eye[k];
+      this->Limits[static_cast<size_t>(y - r[1]) * (r[2] - r[0]) + x - r[0]] =
+        depth + points.Reaches[i];
     }
-    length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    image.GetOccupied(y)[x / vtkSurfaceImage::BlockSize] = 1;
+    float* pixel = image.GetRow(y, 0) + x;
+    pixel[vtkSurfaceImage::NormalX * plane] = points.Normals.X[i];
+    pixel[vtkSurfaceImage::NormalY * plane] = points.Normals.Y[i];
+    pixel[vtkSurfaceImage::NormalZ * plane] = points.Normals.Z[i];
+    pixel[vtkSurfaceImage::Radius * plane] = points.Radii[i];
+    pixel[vtkSurfaceImage::IntervalX * plane] = depth;
+    pixel[vtkSurfaceImage::IntervalY * plane] =
+      options.CenterDepths ? 0.0f : depth + points.Radii[i];
+    pixel[vtkSurfaceImage::CenterX * plane] = points.CenterX[i];
+    pixel[vtkSurfaceImage::CenterY * plane] = points.CenterY[i];
+    if (image.HasIds())
+    {
+      image.GetIds(y)[x] = part.GetId(places[i]) + 1;
+    }
+    if (image.HasColors())
+    {
+      const std::array<float, 4> color = part.GetColor(places[i]);
+      for (int k = 0; k < 4; ++k)
+      {
+        pixel[(vtkSurfaceImage::Red + k) * plane] = color[k];
+      }
+    }
   }
-  const float w = t.Clip[3].Of(eye[0], eye[1], eye[2]);
-  const int pixel[2] = { x, y };
-  for (int k = 0; k < 2; ++k)
-  {
-    const float window = t.HalfSize[k] * (t.Clip[k].Of(eye[0], eye[1], eye[2]) / w + 1.0f);
-    point.Center[k] = options.SubpixelCenters ? window - (pixel[k] + 0.5f) : 0.0f;
-  }
-  for (int k = 0; k < 3; ++k)
-  {
-    point.Normal[k] = normal[k] / length;
-  }
-  point.Depth = -eye[2];
-  point.Radius = t.RadiusScale * cloud.GetRadius(place);
-  const float distance = std::sqrt(eye[0] * eye[0] + eye[1] * eye[1] + eye[2] * eye[2]);
-  const float along = t.Parallel
-    ? point.Normal[2]
-    : (point.Normal[0] * eye[0] + point.Normal[1] * eye[1] + point.Normal[2] * eye[2]) / distance;
-  const float slope = std::sqrt(std::max(1.0f - along * along, 0.0f)) /
-    std::max(std::abs(along), 1.0f / options.LargestReach);
-  const float pixelSize = w / (t.HalfSize[1] * std::abs(t.Clip[1].Y));
-  point.Reach =
-    point.Radius * std::min(std::max(pixelSize * slope / point.Radius, 1.0f), options.LargestReach);
-  point.Color = cloud.Colors ? cloud.GetColor(place) : part.Source->Color;
-  return point;
-}
-
-inline std::array<float, 3> vtkPointProjectionCPU::GetPosition(size_t place) const
-{
-  std::array<float, 3> position;
-  for (int k = 0; k < 3; ++k)
-  {
-    position[k] = this->FloatPositions
-      ? this->FloatPositions[3 * place + k] - static_cast<float>(this->Origin[k])
-      : static_cast<float>(this->DoublePositions[3 * place + k] - this->Origin[k]);
-  }
-  return position;
 }
 
 std::array<float, 4> vtkPointProjectionCPU::GetColor(size_t place) const
@@ -976,24 +1103,18 @@ void vtkPointProjectionCPU::EyeBlocks::Fetch(size_t index, EyePoints& points) co
   const vtkPointProjectionCPU& cloud = *part.Source->Projection;
   const std::vector<unsigned int>& ids = cloud.Points->GetOrder().GetIds();
   const auto firstId = static_cast<unsigned int>(part.Source->FirstId);
-  const double zero[3] = { 0.0, 0.0, 0.0 };
   unsigned int places[BlockSize + 1];
   Block positions;
-  Block normals = {};
+  Block normals;
   float radii[BlockSize];
   int seen[BlockSize];
   vtkIdType first;
   const int count = part.ListPoints(this->Blocks[index][1], places, first);
-  cloud.FloatPositions
-    ? Load(positions, first, count, cloud.FloatPositions, places, cloud.Origin.data())
-    : Load(positions, first, count, cloud.DoublePositions, places, cloud.Origin.data());
-  if (cloud.Normals)
-  {
-    Load(normals, first, count, cloud.Normals, places, zero);
-  }
+  part.LoadPositions(positions, first, count, places);
+  part.LoadNormals(normals, first, count, places);
   for (int i = 0; i < count; ++i)
   {
-    radii[i] = cloud.GetRadius(places[i]);
+    radii[i] = part.GetRadius(places[i]);
   }
   TransformBlock(positions, normals, radii, count, part.View, this->ClippingReach, points, seen);
   // without a branch that half of the points would take
@@ -1017,6 +1138,5 @@ void vtkPointProjectionCPU::EyeBlocks::Fetch(size_t index, EyePoints& points) co
 std::array<float, 4> vtkPointProjectionCPU::EyeBlocks::GetColor(unsigned int place) const
 {
   const Part& part = GetPart(this->Parts, place);
-  const vtkPointProjectionCPU& cloud = *part.Source->Projection;
-  return cloud.Colors ? cloud.GetColor(part.GetOwnPlace(place)) : part.Source->Color;
+  return part.GetColor(part.GetOwnPlace(place));
 }

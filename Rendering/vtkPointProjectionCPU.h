@@ -74,7 +74,8 @@ public:
   void Draw(const std::vector<Cloud>& clouds, const vtkPointProjectionOptions& options,
     vtkSurfaceImage& image, vtkSurfaceImage* nearest = nullptr);
 
-  struct Transform; ///< the view in single precision, for the points about the origin
+  struct Transform;  ///< the view in single precision, for the points about the origin
+  struct Footprints; ///< what points leave in their pixels
 
   /**
    * Points in eye coordinates: normals of unit length, those that are not known facing the viewer;
@@ -96,18 +97,17 @@ private:
   vtkPointProjectionCPU(const vtkPointProjectionCPU&) = delete;
   void operator=(const vtkPointProjectionCPU&) = delete;
 
-  /// What a point leaves in its pixel.
-  struct Footprint;
-  /// A cloud that is drawn, as ForSeenPoints() goes through it.
+  /// A cloud that is drawn, as ForSeenBlocks() goes through it.
   struct Part;
-  struct Companion;
+  struct BlockPoints;
+  struct Companions;
   struct BandSums;
 
   Transform GetTransform(const vtkPointSurfaceView& view) const;
   static std::vector<Part> MakeParts(const std::vector<Cloud>& clouds);
   static const Part& GetPart(const std::vector<Part>& parts, unsigned int place);
   template <typename IsWanted, typename Take>
-  static void ForSeenPoints(
+  static void ForSeenBlocks(
     const Part& part, int firstChunk, int endChunk, const IsWanted& isWanted, const Take& take);
   void SetLimits(vtkSurfaceImage& nearest, float tolerance);
   void FindVisiblePoints(const Part& part);
@@ -119,16 +119,13 @@ private:
   void AveragePoints(const std::vector<Part>& parts, const vtkPointProjectionOptions& options,
     vtkSurfaceImage& image);
   void ListCompanions(const Part& part, const vtkPointProjectionOptions& options, int firstChunk,
-    const std::array<int, 4>& rectangle);
-  void AddCompanions(int band, vtkSurfaceImage& image);
+    const vtkSurfaceImage& image);
+  void AddCompanions(const Part& part, int band, vtkSurfaceImage& image);
   static void WriteAverages(
     const BandSums& bandSums, const vtkPointProjectionOptions& options, vtkSurfaceImage& image);
-  static Footprint GetFootprint(
-    const Part& part, const vtkPointProjectionOptions& options, unsigned int place, int x, int y);
+  void WriteFootprints(const Part& part, const vtkPointProjectionOptions& options,
+    const unsigned int* places, int count, const Footprints& points, vtkSurfaceImage& image);
   static int GetNumberOfBands(const Transform& transform);
-  float GetRadius(size_t place) const;
-  static void Prefetch(const Part& part, unsigned int place);
-  std::array<float, 3> GetPosition(size_t place) const; // about the origin
 
   const vtkDrawablePoints* Points = nullptr;
   vtkSmartPointer<vtkDataArray> Positions; // floats or doubles
@@ -150,7 +147,7 @@ private:
   std::vector<float>
     Limits; // of each pixel, the largest depth of what is looked for behind its nearest point
   // For each chunk of points of a round and band of rows, in the order of the points.
-  std::vector<std::vector<Companion>> Companions;
+  std::vector<Companions> Listed;
   std::vector<BandSums> Sums; // of each band
 };
 
