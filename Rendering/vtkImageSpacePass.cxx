@@ -115,6 +115,30 @@ private:
   std::vector<std::pair<vtkInformation*, PassList>> Saved;
 };
 
+/// Keeps the renderer from doing FXAA within a delegate, where it would draw over the normals,
+/// while it lives. The renderer is not marked as modified, as its setter would have it: what
+/// depends on its time is not to be made again in each frame.
+class WithoutFXAA
+{
+public:
+  explicit WithoutFXAA(vtkRenderer* renderer)
+    : Flag(renderer->*Access::Member)
+    , Usual(this->Flag)
+  {
+    this->Flag = false;
+  }
+  ~WithoutFXAA() { this->Flag = this->Usual; }
+
+private:
+  struct Access : vtkRenderer // as the flag is protected
+  {
+    static constexpr bool vtkRenderer::*Member = &Access::UseFXAA;
+  };
+
+  bool& Flag;
+  const bool Usual;
+};
+
 /// What the pass that encloses one that is about to start takes from it.
 Outputs GetEnclosingOutputs(const vtkRenderState* s)
 {
@@ -355,11 +379,10 @@ void vtkImageSpacePass::Render(const vtkRenderState* s)
   vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
 
   const Outputs outputs = GetEnclosingOutputs(s);
-  // a renderer that is asked for FXAA would do it within, and draw over the normals
-  const bool fxaa = renderer->GetUseFXAA();
-  renderer->SetUseFXAA(false);
-  this->DrawDelegate(s, window, origin);
-  renderer->SetUseFXAA(fxaa);
+  {
+    const WithoutFXAA withoutFXAA(renderer);
+    this->DrawDelegate(s, window, origin);
+  }
 
   internals.SetCamera(renderer);
 
@@ -395,7 +418,7 @@ void vtkImageSpacePass::Render(const vtkRenderState* s)
   {
     KeepPositionsAndNormals(state);
   }
-  if (fxaa && !s->GetFrameBuffer()) // that of another pass has another size
+  if (renderer->GetUseFXAA() && !s->GetFrameBuffer()) // that of another pass has another size
   {
     internals.FXAA->UpdateConfiguration(renderer->GetFXAAOptions());
     internals.FXAA->Execute(static_cast<vtkOpenGLRenderer*>(renderer));

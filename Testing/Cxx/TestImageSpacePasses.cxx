@@ -19,6 +19,7 @@
 #include "vtkLightsPass.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkOccludedFillPass.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLFXAAPass.h"
@@ -26,7 +27,9 @@
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkRegressionTestImage.h"
+#include "vtkRenderPass.h"
 #include "vtkRenderPassCollection.h"
+#include "vtkRenderState.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
@@ -596,6 +599,57 @@ void TestLines()
   check.AtMost(count.Inside, 900.0, "feature lines of a cube: area");
 }
 
+/// Draws what the renderer would without a pass, its own FXAA among that, as hosts do.
+class RendererPass : public vtkRenderPass
+{
+public:
+  static RendererPass* New();
+  vtkTypeMacro(RendererPass, vtkRenderPass);
+
+  void Render(const vtkRenderState* s) override
+  {
+    this->ClearLights(s->GetRenderer());
+    this->UpdateLightGeometry(s->GetRenderer());
+    this->UpdateLights(s->GetRenderer());
+    this->UpdateGeometry(s->GetRenderer(), s->GetFrameBuffer());
+  }
+};
+vtkStandardNewMacro(RendererPass);
+
+/// FXAA that the renderer is asked for is done to the lines, and not to what they are drawn by.
+void TestRendererFXAA()
+{
+  View cube(240, 240);
+  AddCube(cube.Renderer);
+  cube.Renderer->ResetCamera();
+  cube.Renderer->GetActiveCamera()->Zoom(1.4);
+  cube.Render({});
+  const std::vector<double> plain = cube.ReadColors();
+  vtkNew<RendererPass> all;
+  vtkNew<vtkFeatureLinePass> edges;
+  edges->SetDelegatePass(all);
+  vtkNew<vtkCameraPass> camera;
+  camera->SetDelegatePass(edges);
+  cube.Renderer->SetPass(camera);
+  auto countLines = [&]
+  { return CountLines(cube, plain, [](double, double) { return true; }).Inside; };
+  cube.Window->Render();
+  const double sharp = countLines();
+  const std::vector<double> sharpColors = cube.ReadColors();
+  check.AtLeast(sharp, 300.0, "feature lines of a cube, drawn by the renderer: area");
+
+  cube.Renderer->UseFXAAOn();
+  cube.Window->Render();
+  const vtkMTimeType time = cube.Renderer->GetMTime();
+  cube.Window->Render();
+  check(cube.Renderer->GetMTime() == time, "a frame with FXAA does not modify the renderer");
+  check(cube.Renderer->GetUseFXAA(), "and leaves it as it is");
+  check.AtLeast(CountDifferent(sharpColors, cube.ReadColors()), 200,
+    "lines are softened by the renderer's FXAA: pixels changed");
+  check.AtLeast(countLines(), 0.9 * sharp, "and are the same lines: area");
+  check.AtMost(countLines(), 1.1 * sharp, "and are the same lines: area");
+}
+
 /// SSAO over a pass of ours, which hands on positions and normals, beside SSAO alone.
 void TestPositions(const CameraKind& camera)
 {
@@ -751,6 +805,7 @@ int TestImageSpacePasses(int argc, char* argv[])
   TestNothingToDo(true, true);
   TestUniformFrames();
   TestLines();
+  TestRendererFXAA();
   for (const CameraKind& camera : { CameraKind{ "perspective", SetEye },
          { "off-axis, a slanted screen", LookThroughScreen }, { "sheared picture", ShearPicture } })
   {
