@@ -30,6 +30,9 @@ constexpr int BlockSize = 256;
 constexpr size_t ChunkBlocks = 32;
 constexpr int BandRows = 32;
 
+/// Columns of a band for which points are fetched row by row.
+constexpr int StripColumns = 64;
+
 /// Chunks whose points are listed, before what is listed is added up: the lists stay small.
 constexpr int RoundChunks = 32;
 
@@ -42,22 +45,14 @@ std::uint64_t MakeKey(float depth, unsigned int place)
   std::uint32_t bits;
   std::memcpy(&bits, &depth, sizeof(bits));
   // floats of one sign are ordered as their bits are
-  bits = bits & 0x80000000u ? ~bits : bits | 0x80000000u;
+  const std::uint32_t negative = 0u - (bits >> 31);
+  bits ^= negative | 0x80000000u;
   return (std::uint64_t(bits) << 32) | place;
 }
 
 unsigned int GetPlace(std::uint64_t key)
 {
   return static_cast<unsigned int>(key & 0xffffffffu);
-}
-
-float GetDepth(std::uint64_t key)
-{
-  std::uint32_t bits = static_cast<std::uint32_t>(key >> 32);
-  bits = bits & 0x80000000u ? bits & 0x7fffffffu : ~bits;
-  float depth;
-  std::memcpy(&depth, &bits, sizeof(depth));
-  return depth;
 }
 
 /// Three coordinates of each of the points of a block.
@@ -422,6 +417,16 @@ struct vtkPointProjectionCPU::Part
     const int level = this->Source->Thinning;
     first = level == 0 ? groups.First : -1;
     int count = 0;
+    if (level == 0)
+    {
+      count = static_cast<int>(groups.End - groups.First);
+      const auto begin = static_cast<unsigned int>(groups.First);
+      for (int i = 0; i < count; ++i)
+      {
+        places[i] = begin + i;
+      }
+      return count;
+    }
     for (vtkIdType group = groups.First; group < groups.End; ++group)
     {
       const unsigned int place =
@@ -603,21 +608,17 @@ void vtkPointProjectionCPU::ForSeenBlocks(
       }
       ProjectBlock(points.Positions, normals, size, part.View, points.Pixels, points.Depths);
       // without branches that half of the points would take
-      int seen = 0;
+      int count = 0;
       for (int i = 0; i < size; ++i)
       {
-        points.List[seen] = i;
-        seen += points.Pixels[i] >= 0 ? 1 : 0;
+        const int pixel = points.Pixels[i];
+        const bool isSeen = pixel >= 0;
+        points.List[count] = i;
+        count +=
+          isSeen & isWanted(isSeen ? pixel : 0, points.Depths[i], firstId + points.Places[i]);
       }
-      points.Count = 0;
-      for (int k = 0; k < seen; ++k)
-      {
-        const int i = points.List[k];
-        points.List[points.Count] = i;
-        points.Count +=
-          isWanted(points.Pixels[i], points.Depths[i], firstId + points.Places[i]) ? 1 : 0;
-      }
-      if (points.Count > 0)
+      points.Count = count;
+      if (count > 0)
       {
         take(static_cast<int>(chunk), points);
       }
@@ -662,17 +663,17 @@ void KeepLeast(std::atomic<std::uint64_t>& least, std::uint64_t key)
 void vtkPointProjectionCPU::FindVisiblePoints(const Part& part)
 {
   const auto firstId = static_cast<unsigned int>(part.Source->FirstId);
+  std::atomic<std::uint64_t>* nearest = this->Nearest.get();
   ForSeenBlocks(
     part, 0, part.GetNumberOfChunks(),
-    [this](int pixel, float depth, unsigned int place)
-    { return MakeKey(depth, place) < this->Nearest[pixel].load(std::memory_order_relaxed); },
-    [&](int, const BlockPoints& points)
+    [nearest](int pixel, float depth, unsigned int place)
+    { return MakeKey(depth, place) < nearest[pixel].load(std::memory_order_relaxed); },
+    [nearest, firstId](int, const BlockPoints& points)
     {
       for (int k = 0; k < points.Count; ++k)
       {
         const int i = points.List[k];
-        KeepLeast(
-          this->Nearest[points.Pixels[i]], MakeKey(points.Depths[i], firstId + points.Places[i]));
+        KeepLeast(nearest[points.Pixels[i]], MakeKey(points.Depths[i], firstId + points.Places[i]));
       }
     });
 }
@@ -681,16 +682,18 @@ void vtkPointProjectionCPU::FindVisiblePoints(const Part& part)
 void vtkPointProjectionCPU::FindFarthestPoints(const Part& part)
 {
   const auto firstId = static_cast<unsigned int>(part.Source->FirstId);
+  const float* limits = this->Limits.data();
+  std::atomic<std::uint64_t>* nearest = this->Nearest.get();
   ForSeenBlocks(
     part, 0, part.GetNumberOfChunks(),
-    [this](int pixel, float depth, unsigned int) { return depth <= this->Limits[pixel]; },
-    [&](int, const BlockPoints& points)
+    [limits](int pixel, float depth, unsigned int) { return depth <= limits[pixel]; },
+    [nearest, firstId](int, const BlockPoints& points)
     {
       for (int k = 0; k < points.Count; ++k)
       {
         const int i = points.List[k];
         KeepLeast(
-          this->Nearest[points.Pixels[i]], MakeKey(-points.Depths[i], firstId + points.Places[i]));
+          nearest[points.Pixels[i]], MakeKey(-points.Depths[i], firstId + points.Places[i]));
       }
     });
 }
@@ -706,29 +709,37 @@ void vtkPointProjectionCPU::FetchVisiblePoints(
       for (int band = static_cast<int>(begin); band < end; ++band)
       {
         const int first = r[1] + band * BandRows;
-        for (int y = first; y < std::min(first + BandRows, r[3]); ++y)
+        const int last = std::min(first + BandRows, r[3]);
+        for (int y = first; y < last; ++y)
         {
-          this->FetchRow(parts, options, y, image);
+          image.ClearBlocks(y, image.GetBlockBegin(), image.GetBlockEnd());
+        }
+        // in the order of space points of neighbouring rows are near each other
+        for (int x = r[0]; x < r[2]; x += StripColumns)
+        {
+          for (int y = first; y < last; ++y)
+          {
+            this->FetchPixels(parts, options, x, std::min(x + StripColumns, r[2]), y, image);
+          }
         }
       }
     });
 }
 
-void vtkPointProjectionCPU::FetchRow(const std::vector<Part>& parts,
-  const vtkPointProjectionOptions& options, int y, vtkSurfaceImage& image)
+/// Columns [x, end) of a row.
+void vtkPointProjectionCPU::FetchPixels(const std::vector<Part>& parts,
+  const vtkPointProjectionOptions& options, int x, int end, int y, vtkSurfaceImage& image)
 {
   const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
-  image.ClearBlocks(y, image.GetBlockBegin(), image.GetBlockEnd());
   const size_t firstPixel = static_cast<size_t>(y - r[1]) * (r[2] - r[0]);
   Footprints points;
   unsigned int places[BlockSize]; // in the cloud
-  int x = r[0];
-  while (x < r[2])
+  while (x < end)
   {
     // those of one cloud that follow each other
     const Part* part = nullptr;
     int count = 0;
-    for (; x < r[2] && count < BlockSize; ++x)
+    for (; x < end && count < BlockSize; ++x)
     {
       const std::uint64_t key =
         this->Nearest[firstPixel + x - r[0]].load(std::memory_order_relaxed);
@@ -834,12 +845,14 @@ void vtkPointProjectionCPU::ListCompanions(const Part& part,
     companions.Points.clear();
     companions.Colors.clear();
   }
+  const std::atomic<std::uint64_t>* nearest = this->Nearest.get();
+  const float* limits = this->Limits.data();
   ForSeenBlocks(
     part, firstChunk, std::min(firstChunk + RoundChunks, part.GetNumberOfChunks()),
-    [&](int pixel, float depth, unsigned int place)
+    [nearest, limits](int pixel, float depth, unsigned int place)
     {
-      const std::uint64_t nearest = this->Nearest[pixel].load(std::memory_order_relaxed);
-      return (GetPlace(nearest) != place) & (depth <= this->Limits[pixel]);
+      const std::uint64_t key = nearest[pixel].load(std::memory_order_relaxed);
+      return (GetPlace(key) != place) & (depth <= limits[pixel]);
     },
     [&](int chunk, const BlockPoints& seen)
     {

@@ -114,8 +114,8 @@ private:
   void FindFarthestPoints(const Part& part);
   void FetchVisiblePoints(const std::vector<Part>& parts, const vtkPointProjectionOptions& options,
     vtkSurfaceImage& image);
-  void FetchRow(const std::vector<Part>& parts, const vtkPointProjectionOptions& options, int y,
-    vtkSurfaceImage& image);
+  void FetchPixels(const std::vector<Part>& parts, const vtkPointProjectionOptions& options, int x,
+    int end, int y, vtkSurfaceImage& image);
   void AveragePoints(const std::vector<Part>& parts, const vtkPointProjectionOptions& options,
     vtkSurfaceImage& image);
   void ListCompanions(const Part& part, const vtkPointProjectionOptions& options, int firstChunk,
