@@ -2,6 +2,7 @@
 #include "vtkDrawablePoints.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkBoundingBox.h"
 #include "vtkCommand.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -83,6 +84,9 @@ std::vector<std::string> vtkDrawablePoints::Build(vtkPolyData* input,
   this->Cloud = vtkSmartPointer<vtkPolyData>::New();
   this->Cloud->GetPointData()->ShallowCopy(input->GetPointData());
   this->SelectPoints(input);
+  this->Diagonal = source.Diagonal > 0.0 || this->NumberOfDrawnPoints == 0
+    ? source.Diagonal
+    : vtkBoundingBox(this->Bounds).GetDiagonalLength();
   this->Radii = nullptr;
   this->LargestRadius = this->MeanRadius = 0.0;
   if (!needs.Normals)
@@ -418,17 +422,6 @@ void vtkDrawablePoints::Estimate::Set(vtkPoints* points, vtkFloatArray* array)
   this->Points = points;
   this->Time = points->GetMTime();
   this->Array = array;
-}
-
-double vtkDrawablePoints::GetDiagonal() const
-{
-  double sum = 0.0;
-  for (int k = 0; k < 3; ++k)
-  {
-    const double side = this->Bounds[2 * k + 1] - this->Bounds[2 * k];
-    sum += side * side;
-  }
-  return std::sqrt(sum);
 }
 
 void vtkDrawablePoints::EstimateNormals(vtkAlgorithm* caller)

@@ -38,7 +38,8 @@ public:
    * Where radii come from: the array named here, else `Radius` if over 0, else an array "radius",
    * else vtkPointSpacing. Where radii are not needed but a sampling distance is, that stands for
    * all of them: `Radius` if over 0, else `SamplingDistance` if that is, of a cloud of which this
-   * is a part, else the one of this quantile (vtkSamplingDistance).
+   * is a part, else the one of this quantile (vtkSamplingDistance). `Diagonal`, if over 0, is that
+   * of the bounds of that cloud, by which radii are judged.
    */
   struct RadiusSource
   {
@@ -46,12 +47,13 @@ public:
     double Radius = 0.0;
     double SamplingQuantile = -1.0;
     double SamplingDistance = 0.0;
+    double Diagonal = 0.0;
 
     bool operator==(const RadiusSource& other) const
     {
       return this->Array == other.Array && this->Radius == other.Radius &&
         this->SamplingQuantile == other.SamplingQuantile &&
-        this->SamplingDistance == other.SamplingDistance;
+        this->SamplingDistance == other.SamplingDistance && this->Diagonal == other.Diagonal;
     }
   };
 
@@ -140,6 +142,12 @@ public:
    */
   const double* GetBounds() const { return this->Bounds; }
 
+  /**
+   * The diagonal by which radii are judged: that of the source, else that of GetBounds(); 0 for no
+   * more than one position.
+   */
+  double GetDiagonal() const { return this->Diagonal; }
+
 private:
   void SelectPoints(vtkPolyData* input);
   void SelectNormals(vtkPolyData* input, vtkAlgorithm* caller);
@@ -149,7 +157,6 @@ private:
   void EstimateRadii(vtkAlgorithm* caller);
   void SelectSamplingDistance(const RadiusSource& source, vtkAlgorithm* caller);
   void OrderPoints(const std::vector<vtkIdType>& blocks, vtkAlgorithm* caller);
-  double GetDiagonal() const;
   void Say(const std::string& line) { this->Remarks.push_back(line); }
 
   /// What was estimated from points, kept for as long as these do not change.
@@ -179,6 +186,7 @@ private:
   vtkIdType NumberOfDrawnPoints = 0;
   std::vector<unsigned char> Duplicates;
   double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
+  double Diagonal = 0.0;
   vtkSpatialOrder Order;
   vtkSmartPointer<vtkPoints> OrderedPoints;
   struct Arranged

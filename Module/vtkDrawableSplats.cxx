@@ -102,18 +102,16 @@ std::vector<vtkDrawableSplats::Range> vtkDrawableSplats::GetRanges(
 }
 
 std::vector<std::string> vtkDrawableSplats::Build(vtkPolyData* cloud, vtkDataArray* normals,
-  const std::vector<unsigned int>& ids, const double bounds[6])
+  const std::vector<unsigned int>& ids, const double bounds[6], double diagonal)
 {
   std::vector<std::string> remarks;
   for (auto& group : this->Groups)
   {
     group.clear();
   }
-  double diagonal = 0.0;
   for (int k = 0; k < 3; ++k)
   {
     this->Origin[k] = 0.5 * (bounds[2 * k] + bounds[2 * k + 1]);
-    diagonal = std::hypot(diagonal, bounds[2 * k + 1] - bounds[2 * k]);
   }
   this->Reach = 0.0;
   this->MeanRadius = 0.0;

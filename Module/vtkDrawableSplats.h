@@ -38,11 +38,12 @@ public:
 
   /**
    * Reads `cloud`, of which the points `ids` (if empty, all) are to be drawn, within `bounds`, with
-   * the `normals` of its points. Returns what has to be said of the data, a line each; empty if
-   * there is nothing. Where an array is missing or of a wrong form, nothing is drawn.
+   * the `normals` of its points; `diagonal` is that of the whole cloud, by which radii are judged
+   * (0: they are not). Returns what has to be said of the data, a line each; empty if there is
+   * nothing. Where an array is missing or of a wrong form, nothing is drawn.
    */
   std::vector<std::string> Build(vtkPolyData* cloud, vtkDataArray* normals,
-    const std::vector<unsigned int>& ids, const double bounds[6]);
+    const std::vector<unsigned int>& ids, const double bounds[6], double diagonal);
 
   /**
    * The splats of an order, 1 to 4.

@@ -3,6 +3,7 @@
 
 #include "vtkAppendPolyData.h"
 #include "vtkBoundingBox.h"
+#include "vtkCommunicator.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDoubleArray.h"
@@ -12,6 +13,7 @@
 #include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMath.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -130,6 +132,28 @@ void PutPieces(const Pieces& pieces, vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
+// The diagonal of the bounds of all ranks' points, by which radii are judged; 0 for none.
+double GetDiagonal(const Pieces& pieces, vtkMultiProcessController* controller)
+{
+  vtkBoundingBox box;
+  for (vtkPolyData* piece : pieces)
+  {
+    for (vtkIdType id = 0; piece && id < piece->GetNumberOfPoints(); ++id)
+    {
+      double x[3];
+      piece->GetPoint(id, x);
+      if (IsFinite(x))
+      {
+        box.AddPoint(x);
+      }
+    }
+  }
+  double lower[3], upper[3];
+  controller->AllReduce(box.GetMinPoint(), lower, 3, vtkCommunicator::MIN_OP);
+  controller->AllReduce(box.GetMaxPoint(), upper, 3, vtkCommunicator::MAX_OP);
+  return lower[0] <= upper[0] ? std::sqrt(vtkMath::Distance2BetweenPoints(lower, upper)) : 0.0;
+}
+
 // The radius of a point as the mappers take it.
 double GetRadius(const vtkDrawablePoints& drawable, vtkIdType id)
 {
@@ -472,13 +496,14 @@ int vtkGhostPointsGenerator::RequestData(
   std::vector<vtkDrawablePoints> drawable(leaves); // whose remarks the mappers make
   vtkDrawablePoints::Needs needs;
   needs.Normals = needs.SpatialOrder = false;
+  const double diagonal = GetDiagonal(pieces, this->Controller);
   for (std::size_t leaf = 0; leaf < leaves; ++leaf)
   {
     if (pieces[leaf])
     {
       this->LeaveOutUnfit(pieces[leaf]->GetPointData(), pieces[leaf]->GetNumberOfPoints());
       drawable[leaf].Build(
-        pieces[leaf], { 0 }, needs, { this->RadiusArray, this->Radius, -1.0 }, this);
+        pieces[leaf], { 0 }, needs, { this->RadiusArray, this->Radius, -1.0, 0.0, diagonal }, this);
     }
   }
   this->UpdateProgress(0.2);

@@ -30,6 +30,7 @@ class vtkAlgebraicSplatMapper::vtkInternals
 public:
   vtkDrawableSplats Splats;
   std::vector<vtkMTimeType> SplatsSource; // times of what they were built from
+  double SplatsDiagonal = 0.0;            // of the cloud that they were judged by
   vtkTimeStamp SplatsTime;
   vtkAlgebraicSplatTracingOpenGL Tracing;
   vtkMTimeType UploadedTime = 0;       // of the splats that were uploaded
@@ -130,18 +131,19 @@ void vtkAlgebraicSplatMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor
   // a splat's normal is an axis of its frame: no estimate can stand in for it
   vtkDataArray* normals = this->GetBlocks().GetCloud()->GetPointData()->GetNormals();
   const std::vector<vtkMTimeType> source = GetTimes(points, normals);
-  if (internals.SplatsSource == source)
+  if (internals.SplatsSource == source && internals.SplatsDiagonal == points.GetDiagonal())
   {
     return;
   }
   internals.SplatsSource = source;
+  internals.SplatsDiagonal = points.GetDiagonal();
   internals.SplatsTime.Modified();
   if (points.GetNumberOfDrawnPoints() == 0)
   {
     return; // the base class has said why
   }
-  for (const std::string& remark :
-    internals.Splats.Build(points.GetCloud(), normals, points.GetDrawnIds(), points.GetBounds()))
+  for (const std::string& remark : internals.Splats.Build(points.GetCloud(), normals,
+         points.GetDrawnIds(), points.GetBounds(), points.GetDiagonal()))
   {
     if (internals.Splats.GetNumberOfSplats() == 0)
     {

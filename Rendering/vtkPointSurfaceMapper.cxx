@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSurfaceMapper.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkContextNeeds.h"
 #include "vtkDrawablePoints.h"
 #include "vtkDrawnClouds.h"
@@ -369,7 +370,12 @@ void vtkPointSurfaceMapper::UpdateDrawablePoints()
   source.Radius = this->Radius;
   source.SamplingQuantile = this->GetNeededSamplingQuantile();
   vtkDoubleArray* whole = GetWhole(this->GetBlocks());
-  source.SamplingDistance = whole ? whole->GetValue(8) : 0.0;
+  if (whole)
+  {
+    source.SamplingDistance = whole->GetValue(8);
+    const vtkBoundingBox box(whole->GetPointer(0));
+    source.Diagonal = box.IsValid() ? box.GetDiagonalLength() : 0.0;
+  }
   if (this->Internals->IsUpToDate(input, source))
   {
     return;

@@ -19,6 +19,7 @@ from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass
 from pointsurface import (
     vtkDirectPointMapper,
     vtkGhostPointsGenerator,
+    vtkImageSpacePointMapper,
     vtkPointSurfacePass,
     vtkPullPushMapper,
     vtkSurfaceSplatMapper,
@@ -67,6 +68,14 @@ def part_of(data, chosen):
     part.GetPointData().CopyAllOn()
     part.GetPointData().CopyAllocate(data.GetPointData(), ids.GetNumberOfIds())
     part.GetPointData().CopyData(data.GetPointData(), ids, places)
+    return part
+
+
+def two_points(cloud):
+    """Two of a cloud's, at x = 1 and far closer to each other than their radius of 0.4."""
+    part = part_of(cloud, np.arange(cloud.GetNumberOfPoints()) < 2)
+    positions(part)[:] = (1, 0, 0), (1, 0, 1e-6)
+    numpy_of(part, "radius")[:] = 0.4
     return part
 
 
@@ -138,6 +147,14 @@ def run_rank(folder):
     output, _ = with_ghosts(part_of(cloud, rank_of(positions(cloud)) == rank))
     if output.GetNumberOfPoints():
         results["whole"] = vtk_to_numpy(output.GetFieldData().GetArray("vtkWholeCloud"))
+
+    # Two points, far closer to each other than their radii are.
+    cloud = torus_cloud(8000)
+    if rank == 1:
+        output, ghosts = with_ghosts(two_points(cloud))
+    else:
+        output, ghosts = with_ghosts(part_of(cloud, (positions(cloud)[:, 0] < 0) & (rank == 0)))
+    results["few"] = ghosts
 
     # Sampling distances.
     for quantile in QUANTILES:
@@ -292,6 +309,28 @@ def test_radii_are_those_of_the_mappers(ranks):
         assert counts["mean"][0] > 100
         assert counts["short"] == (counts["none"][0], 1, counts["none"][2])
         assert counts["none"][0] > 100
+
+
+def test_radii_of_few_points_are_those_of_the_whole(ranks):
+    """What lies within three radii of 0.4, here at a distance of 1, is sent."""
+    assert int(ranks[0]["few"]) == 2
+
+
+@pytest.mark.parametrize("mapper_class", MAPPERS)
+def test_radii_are_judged_by_the_whole(mapper_class):
+    """Of few points, which lie close to each other on one rank, they are no fault."""
+    cloud = input_of(mapper_class, torus_cloud(8000))
+    part = two_points(cloud)
+    part.GetFieldData().AddArray(array([*cloud.GetBounds(), 0.4, 0.4, 0.4], "vtkWholeCloud", np.float64))
+    scene = Scene(mapper_class, part, bounds=cloud.GetBounds())
+    said = []
+    for event in ("ErrorEvent", "WarningEvent"):
+        scene.mapper.AddObserver(event, lambda *_: said.append(1))
+    scene.color()
+    covered = np.count_nonzero(scene.depth() < 1)
+    print(covered, "pixels")
+    assert not said
+    assert covered > (0 if mapper_class is vtkImageSpacePointMapper else 100)  # which fills between points alone
 
 
 def composite(ranks, mapper_class, name):
