@@ -53,23 +53,26 @@ struct Candidate
 /// Of the first `count` points those of the lowest lots, `size` of them.
 std::vector<Candidate> ChooseSample(vtkPoints* points, vtkIdType count, std::size_t size)
 {
-  std::vector<Candidate> sample; // a heap, the highest lot first
+  std::vector<Candidate> sample; // once full a heap, the highest lot first
   for (vtkIdType id = 0; id < count; ++id)
   {
     double x[3];
     points->GetPoint(id, x);
     const Candidate candidate = { GetLot(x), id };
-    if (sample.size() == size)
+    if (sample.size() < size)
     {
-      if (!(candidate < sample.front()))
+      sample.push_back(candidate);
+      if (sample.size() == size && id + 1 < count) // else all are taken
       {
-        continue;
+        std::make_heap(sample.begin(), sample.end());
       }
-      std::pop_heap(sample.begin(), sample.end());
-      sample.pop_back();
     }
-    sample.push_back(candidate);
-    std::push_heap(sample.begin(), sample.end());
+    else if (candidate < sample.front())
+    {
+      std::pop_heap(sample.begin(), sample.end());
+      sample.back() = candidate;
+      std::push_heap(sample.begin(), sample.end());
+    }
   }
   return sample;
 }
