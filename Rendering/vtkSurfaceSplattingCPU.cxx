@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 
 namespace
@@ -26,6 +27,9 @@ constexpr int Parts = TileSize / PartSize;
 
 /// Points are sorted by one thread a group, whatever the number of threads is.
 constexpr size_t LargestNumberOfGroups = 32;
+
+/// Splats between the one that is drawn and the one whose memory is asked for.
+constexpr size_t FetchAhead = 6;
 
 constexpr float Far = 3e38f;
 
@@ -63,6 +67,7 @@ struct Shapes
   alignas(64) float ReachX[Capacity], ReachY[Capacity];
   alignas(64) float Tolerance[Capacity], Nearest[Capacity], Margin[Capacity];
   alignas(64) float Facing[Capacity];
+  alignas(64) int X0[Capacity], Y0[Capacity], X1[Capacity], Y1[Capacity]; // see Box
 };
 
 /// What they are made with, in single precision.
@@ -72,6 +77,7 @@ struct Lens
   float W[4];
   float HalfSize[2];
   float Corner[2]; // of the rectangle
+  float Last[2];   // column and row
   float PixelSize; // in eye units, times w
   float BlendRadius;
   float DepthTolerance;
@@ -92,12 +98,29 @@ Lens MakeLens(const vtkSurfaceSplatParameters& parameters)
   {
     lens.HalfSize[k] = 0.5f * view.Size[k];
     lens.Corner[k] = static_cast<float>(view.Rectangle[k]);
+    lens.Last[k] = view.Rectangle[2 + k] - 1.0f;
   }
   lens.PixelSize = parameters.GetPixelSize();
   lens.BlendRadius = static_cast<float>(parameters.Options.BlendRadius);
   lens.DepthTolerance = static_cast<float>(parameters.Options.DepthTolerance);
   lens.Parallel = view.IsParallel();
   return lens;
+}
+
+/// Of a row whose last pixel is given: the first pixel whose centre is not below a place, and the
+/// last one whose centre is not above it. last + 1 and -1 for none, as for what is not a number.
+VTK_POINT_SURFACE_INLINE int GetFirstPixel(float place, float last)
+{
+  const float low = place - 0.5f > 0.0f ? place - 0.5f : 0.0f;
+  const float limited = low < last + 1.0f ? low : last + 1.0f;
+  const int below = static_cast<int>(limited);
+  return static_cast<float>(below) < limited ? below + 1 : below;
+}
+
+VTK_POINT_SURFACE_INLINE int GetLastPixel(float place, float last)
+{
+  const float high = place + 0.5f > 0.0f ? place + 0.5f : 0.0f;
+  return static_cast<int>(high < last + 1.0f ? high : last + 1.0f) - 1;
 }
 
 VTK_POINT_SURFACE_CLONES
@@ -152,16 +175,24 @@ void MakeShapes(
     // covariances of the place on the screen with the depth
     const float ofDepthX = radius * (nz * xn - xz);
     const float ofDepthY = radius * (nz * yn - yz);
-    shapes.X[i] = lens.HalfSize[0] * (ndcX + 1.0f) - lens.Corner[0];
-    shapes.Y[i] = lens.HalfSize[1] * (ndcY + 1.0f) - lens.Corner[1];
+    const float centerX = lens.HalfSize[0] * (ndcX + 1.0f) - lens.Corner[0];
+    const float centerY = lens.HalfSize[1] * (ndcY + 1.0f) - lens.Corner[1];
+    const float reachX = lens.BlendRadius * std::sqrt(v11);
+    const float reachY = lens.BlendRadius * std::sqrt(v22);
+    shapes.X[i] = centerX;
+    shapes.Y[i] = centerY;
+    shapes.X0[i] = GetFirstPixel(centerX - reachX, lens.Last[0]);
+    shapes.Y0[i] = GetFirstPixel(centerY - reachY, lens.Last[1]);
+    shapes.X1[i] = GetLastPixel(centerX + reachX, lens.Last[0]);
+    shapes.Y1[i] = GetLastPixel(centerY + reachY, lens.Last[1]);
     shapes.A[i] = v22 * inverse;
     shapes.B[i] = -2.0f * v12 * inverse;
     shapes.C[i] = v11 * inverse;
     shapes.Depth[i] = -z;
     shapes.SlopeX[i] = (ofDepthX * v22 - ofDepthY * v12) * inverse;
     shapes.SlopeY[i] = (ofDepthY * v11 - ofDepthX * v12) * inverse;
-    shapes.ReachX[i] = lens.BlendRadius * std::sqrt(v11);
-    shapes.ReachY[i] = lens.BlendRadius * std::sqrt(v22);
+    shapes.ReachX[i] = reachX;
+    shapes.ReachY[i] = reachY;
     shapes.Tolerance[i] = tolerance;
     shapes.Nearest[i] = -z - lens.BlendRadius * radius;
     shapes.Margin[i] = facing > Parameters::MarginCosine ? lens.BlendRadius * lens.BlendRadius
@@ -171,7 +202,7 @@ void MakeShapes(
 }
 }
 
-/// Sorts the splats of a group of points into the tiles.
+/// Makes the splats of a group of points; those of the front are sorted into the tiles.
 class vtkSurfaceSplattingCPU::Maker
 {
 public:
@@ -181,16 +212,16 @@ public:
     , Blocks(blocks)
     , Colors(colors)
     , MyLens(MakeLens(parameters))
-    , Width(parameters.View.Rectangle[2])
-    , Height(parameters.View.Rectangle[3])
   {
   }
 
-  void Make(int group) const
+  void Make(int number) const
   {
-    const size_t groups = static_cast<size_t>(this->Splatting->Groups);
-    const size_t begin = this->Blocks.GetSize() * group / groups;
-    const size_t end = this->Blocks.GetSize() * (group + 1) / groups;
+    const size_t groups = this->Splatting->Groups.size();
+    const size_t begin = this->Blocks.GetSize() * number / groups;
+    const size_t end = this->Blocks.GetSize() * (number + 1) / groups;
+    Group& group = this->Splatting->Groups[number];
+    group.Clear();
     vtkPointProjectionCPU::EyePoints points;
     Shapes shapes;
     for (size_t block = begin; block < end; ++block)
@@ -206,42 +237,29 @@ public:
 
 private:
   void Add(
-    int group, const vtkPointProjectionCPU::EyePoints& points, const Shapes& shapes, int i) const
+    Group& group, const vtkPointProjectionCPU::EyePoints& points, const Shapes& shapes, int i) const
   {
-    // pixels whose centres may lie in the ellipse
-    const float low[2] = { shapes.X[i] - shapes.ReachX[i] - 0.5f,
-      shapes.Y[i] - shapes.ReachY[i] - 0.5f };
-    const float high[2] = { shapes.X[i] + shapes.ReachX[i] - 0.5f,
-      shapes.Y[i] + shapes.ReachY[i] - 0.5f };
-    if (!(high[0] >= 0.0f && high[1] >= 0.0f && low[0] <= this->Width - 1.0f &&
-          low[1] <= this->Height - 1.0f))
+    const Box box = { shapes.X0[i], shapes.Y0[i], shapes.X1[i], shapes.Y1[i] };
+    if (box.X0 > box.X1 || box.Y0 > box.Y1)
     {
       return;
     }
-    const int x0 = static_cast<int>(std::ceil(std::max(low[0], 0.0f)));
-    const int y0 = static_cast<int>(std::ceil(std::max(low[1], 0.0f)));
-    const int x1 = static_cast<int>(std::min(high[0], this->Width - 1.0f));
-    const int y1 = static_cast<int>(std::min(high[1], this->Height - 1.0f));
-    if (x0 > x1 || y0 > y1)
-    {
-      return;
-    }
-    const Splat splat = { shapes.X[i], shapes.Y[i], shapes.A[i], shapes.B[i], shapes.C[i],
+    const auto place = static_cast<unsigned int>(group.Splats.size());
+    group.Splats.push_back({ shapes.X[i], shapes.Y[i], shapes.A[i], shapes.B[i], shapes.C[i],
       shapes.Depth[i], shapes.SlopeX[i], shapes.SlopeY[i],
       { points.NormalX[i], points.NormalY[i], points.NormalZ[i] }, shapes.ReachX[i],
-      shapes.ReachY[i], shapes.Tolerance[i], shapes.Nearest[i], shapes.Margin[i], points.Id[i] };
-    for (int row = y0 / TileSize; row <= y1 / TileSize; ++row)
+      shapes.ReachY[i], shapes.Tolerance[i], shapes.Nearest[i], shapes.Margin[i], points.Id[i] });
+    if (this->Colors)
     {
-      for (int column = x0 / TileSize; column <= x1 / TileSize; ++column)
-      {
-        List& list = this->Splatting->GetList(
-          group, row * this->Splatting->Columns + column, shapes.Facing[i] >= 0.0f ? Front : Back);
-        list.Splats.push_back(splat);
-        if (this->Colors)
-        {
-          list.Colors.push_back(this->Blocks.GetColor(points.Place[i]));
-        }
-      }
+      group.Colors.push_back(this->Blocks.GetColor(points.Place[i]));
+    }
+    if (shapes.Facing[i] >= 0.0f)
+    {
+      this->Splatting->Sort(group.Tiles[Front], place, box);
+    }
+    else
+    {
+      group.Backs.push_back({ box, shapes.Nearest[i], place });
     }
   }
 
@@ -249,12 +267,24 @@ private:
   const vtkPointProjectionCPU::EyeBlocks& Blocks;
   bool Colors;
   Lens MyLens;
-  int Width;
-  int Height;
 };
 
 vtkSurfaceSplattingCPU::vtkSurfaceSplattingCPU() = default;
 vtkSurfaceSplattingCPU::~vtkSurfaceSplattingCPU() = default;
+
+void vtkSurfaceSplattingCPU::Group::Clear()
+{
+  this->Splats.clear();
+  this->Colors.clear();
+  this->Backs.clear();
+  for (auto& tiles : this->Tiles)
+  {
+    for (std::vector<unsigned int>& places : tiles)
+    {
+      places.clear();
+    }
+  }
+}
 
 void vtkSurfaceSplattingCPU::MakeSplats(const vtkSurfaceSplatParameters& parameters,
   const std::vector<vtkPointProjectionCPU::Cloud>& clouds, bool colors)
@@ -264,16 +294,17 @@ void vtkSurfaceSplattingCPU::MakeSplats(const vtkSurfaceSplatParameters& paramet
   const auto& r = parameters.View.Rectangle;
   this->Columns = (r[2] + TileSize - 1) / TileSize;
   this->Rows = (r[3] + TileSize - 1) / TileSize;
-  this->Groups =
-    static_cast<int>(std::min(std::max<size_t>(blocks.GetSize(), 1), LargestNumberOfGroups));
-  this->Lists.resize(2 * static_cast<size_t>(this->Groups) * this->Columns * this->Rows);
-  for (List& list : this->Lists)
+  const size_t tiles = static_cast<size_t>(this->Columns) * this->Rows;
+  this->Groups.resize(std::min(std::max<size_t>(blocks.GetSize(), 1), LargestNumberOfGroups));
+  for (Group& group : this->Groups)
   {
-    list.Splats.clear();
-    list.Colors.clear();
+    group.Tiles[Front].resize(tiles);
+    group.Tiles[Back].resize(tiles);
   }
+  this->FrontDepths.resize(tiles * TileSize * Stride);
+  this->Farthest.resize(tiles * Parts * Parts);
   const Maker maker(this, parameters, blocks, colors);
-  vtkSMPTools::For(0, this->Groups, 1,
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Groups.size()), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType group = begin; group < end; ++group)
@@ -281,6 +312,46 @@ void vtkSurfaceSplattingCPU::MakeSplats(const vtkSurfaceSplatParameters& paramet
         maker.Make(static_cast<int>(group));
       }
     });
+}
+
+void vtkSurfaceSplattingCPU::Sort(
+  std::vector<std::vector<unsigned int>>& tiles, unsigned int place, const Box& box) const
+{
+  for (int row = box.Y0 / TileSize; row <= box.Y1 / TileSize; ++row)
+  {
+    for (int column = box.X0 / TileSize; column <= box.X1 / TileSize; ++column)
+    {
+      tiles[static_cast<size_t>(row) * this->Columns + column].push_back(place);
+    }
+  }
+}
+
+/// Whether the front is before all that a splat of the back could be blended with.
+bool vtkSurfaceSplattingCPU::IsHidden(const BackSplat& back) const
+{
+  const int stride = this->Columns * Parts;
+  for (int row = back.Pixels.Y0 / PartSize; row <= back.Pixels.Y1 / PartSize; ++row)
+  {
+    for (int column = back.Pixels.X0 / PartSize; column <= back.Pixels.X1 / PartSize; ++column)
+    {
+      if (back.Nearest < this->Farthest[static_cast<size_t>(row) * stride + column])
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+void vtkSurfaceSplattingCPU::SortBacks(Group& group) const
+{
+  for (const BackSplat& back : group.Backs)
+  {
+    if (!this->IsHidden(back))
+    {
+      this->Sort(group.Tiles[Back], back.Place, back.Pixels);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -409,13 +480,15 @@ void FindFarthest(const float* depths, float* parts)
 /// 0; those of the back with the tolerance added. Splats that are farther than all of `hiding` in
 /// the parts that they reach are left out.
 VTK_POINT_SURFACE_CLONES
-void FindDepths(const vtkSurfaceSplattingCPU::Splat* splats, size_t count, const int* corner,
-  const Clipping& clipping, float share, float givenLimit, bool back, const float* hiding,
-  float* depths)
+void FindDepths(const vtkSurfaceSplattingCPU::Splat* splats,
+  const std::vector<unsigned int>& places, const int* corner, const Clipping& clipping, float share,
+  float givenLimit, bool back, const float* hiding, float* depths)
 {
-  for (size_t s = 0; s < count; ++s)
+  for (size_t s = 0; s < places.size(); ++s)
   {
-    const vtkSurfaceSplattingCPU::Splat splat = splats[s]; // that no write below can change
+    VTK_POINT_SURFACE_PREFETCH(splats + places[std::min(s + FetchAhead, places.size() - 1)]);
+    const unsigned int place = places[s];
+    const vtkSurfaceSplattingCPU::Splat splat = splats[place]; // that no write below can change
     const Span span = MakeSpan(splat, corner, share);
     const float added = back ? splat.Tolerance : 0.0f;
     const float limit = givenLimit > 0.0f ? givenLimit : splat.Margin;
@@ -463,14 +536,16 @@ void FindDepths(const vtkSurfaceSplattingCPU::Splat* splats, size_t count, const
 /// Adds up what lies at the visible depths.
 template <bool Ids, bool WithColors>
 VTK_POINT_SURFACE_INLINE void BlendSplats(const vtkSurfaceSplattingCPU::Splat* splats,
-  const std::array<float, 4>* colors, size_t count, const int* corner, const Clipping& clipping,
-  float inverseBlend, bool back, Planes& planes)
+  const std::array<float, 4>* colors, const std::vector<unsigned int>& places, const int* corner,
+  const Clipping& clipping, float inverseBlend, bool back, Planes& planes)
 {
   const float* visible = planes.Visible[back ? Back : Front];
   const float* farthest = planes.Farthest[back ? Back : Front];
-  for (size_t s = 0; s < count; ++s)
+  for (size_t s = 0; s < places.size(); ++s)
   {
-    const vtkSurfaceSplattingCPU::Splat splat = splats[s]; // that no write below can change
+    VTK_POINT_SURFACE_PREFETCH(splats + places[std::min(s + FetchAhead, places.size() - 1)]);
+    const unsigned int place = places[s];
+    const vtkSurfaceSplattingCPU::Splat splat = splats[place]; // that no write below can change
     const Span span = MakeSpan(splat, corner, 1.0f);
     // as the visible depths of the back have it, so that the difference is the tolerance too
     const float added = back ? splat.Tolerance : 0.0f;
@@ -530,7 +605,7 @@ VTK_POINT_SURFACE_INLINE void BlendSplats(const vtkSurfaceSplattingCPU::Splat* s
           {
             for (int i = 0; i < Lanes; ++i)
             {
-              planes.Colors[k][first + i] += weights[i] * colors[s][k];
+              planes.Colors[k][first + i] += weights[i] * colors[place][k];
             }
           }
         }
@@ -550,34 +625,34 @@ VTK_POINT_SURFACE_INLINE void BlendSplats(const vtkSurfaceSplattingCPU::Splat* s
 
 VTK_POINT_SURFACE_CLONES
 void BlendPlain(const vtkSurfaceSplattingCPU::Splat* splats, const std::array<float, 4>* colors,
-  size_t count, const int* corner, const Clipping& clipping, float inverseBlend, bool back,
-  Planes& planes)
+  const std::vector<unsigned int>& places, const int* corner, const Clipping& clipping,
+  float inverseBlend, bool back, Planes& planes)
 {
-  BlendSplats<false, false>(splats, colors, count, corner, clipping, inverseBlend, back, planes);
+  BlendSplats<false, false>(splats, colors, places, corner, clipping, inverseBlend, back, planes);
 }
 
 VTK_POINT_SURFACE_CLONES
 void BlendColors(const vtkSurfaceSplattingCPU::Splat* splats, const std::array<float, 4>* colors,
-  size_t count, const int* corner, const Clipping& clipping, float inverseBlend, bool back,
-  Planes& planes)
+  const std::vector<unsigned int>& places, const int* corner, const Clipping& clipping,
+  float inverseBlend, bool back, Planes& planes)
 {
-  BlendSplats<false, true>(splats, colors, count, corner, clipping, inverseBlend, back, planes);
+  BlendSplats<false, true>(splats, colors, places, corner, clipping, inverseBlend, back, planes);
 }
 
 VTK_POINT_SURFACE_CLONES
 void BlendIds(const vtkSurfaceSplattingCPU::Splat* splats, const std::array<float, 4>* colors,
-  size_t count, const int* corner, const Clipping& clipping, float inverseBlend, bool back,
-  Planes& planes)
+  const std::vector<unsigned int>& places, const int* corner, const Clipping& clipping,
+  float inverseBlend, bool back, Planes& planes)
 {
-  BlendSplats<true, false>(splats, colors, count, corner, clipping, inverseBlend, back, planes);
+  BlendSplats<true, false>(splats, colors, places, corner, clipping, inverseBlend, back, planes);
 }
 
 VTK_POINT_SURFACE_CLONES
 void BlendBoth(const vtkSurfaceSplattingCPU::Splat* splats, const std::array<float, 4>* colors,
-  size_t count, const int* corner, const Clipping& clipping, float inverseBlend, bool back,
-  Planes& planes)
+  const std::vector<unsigned int>& places, const int* corner, const Clipping& clipping,
+  float inverseBlend, bool back, Planes& planes)
 {
-  BlendSplats<true, true>(splats, colors, count, corner, clipping, inverseBlend, back, planes);
+  BlendSplats<true, true>(splats, colors, places, corner, clipping, inverseBlend, back, planes);
 }
 
 /// Which parts of the tile have pixels where the back is seen, or nothing. Returns whether there
@@ -640,19 +715,31 @@ void ChooseSides(float* front, float* back)
 class vtkSurfaceSplattingCPU::Tile
 {
 public:
+  /// Finds the depths of the front, and how far they are in the parts of the tile.
+  void FindFront(
+    vtkSurfaceSplattingCPU* splatting, const vtkSurfaceSplatParameters& parameters, int tile)
+  {
+    float* depths = splatting->GetFrontDepths(tile);
+    std::fill_n(depths, TileSize * Stride, Far);
+    this->FindVisible(splatting, parameters, tile, Front, depths);
+    float parts[Parts * Parts];
+    FindFarthest(depths, parts);
+    const int stride = splatting->Columns * Parts;
+    float* to =
+      &splatting->Farthest[static_cast<size_t>(tile / splatting->Columns) * Parts * stride +
+        tile % splatting->Columns * Parts];
+    for (int row = 0; row < Parts; ++row)
+    {
+      std::copy_n(parts + row * Parts, Parts, to + static_cast<size_t>(row) * stride);
+    }
+  }
+
   void Draw(vtkSurfaceSplattingCPU* splatting, const vtkSurfaceSplatParameters& parameters,
     int tile, vtkSurfacePixels& pixels)
   {
     const int corner[2] = { tile % splatting->Columns * TileSize,
       tile / splatting->Columns * TileSize };
-    bool empty[2] = { true, true };
-    for (int group = 0; group < splatting->Groups; ++group)
-    {
-      for (int side : { Front, Back })
-      {
-        empty[side] = empty[side] && splatting->GetList(group, tile, side).Splats.empty();
-      }
-    }
+    const bool empty[2] = { splatting->IsEmpty(tile, Front), splatting->IsEmpty(tile, Back) };
     if (empty[Front] && empty[Back])
     {
       this->WriteNothing(corner, pixels);
@@ -662,22 +749,9 @@ public:
     const auto blend = static_cast<float>(parameters.Options.BlendRadius);
     Clipping clipping(parameters);
     clipping.SetTile(corner);
-    const float share = std::sqrt(vtkSurfaceSplatParameters::CoreLimit) / blend;
-    for (int side : { Front, Back })
-    {
-      std::fill_n(planes.Visible[side], TileSize * Stride, Far);
-      for (int group = 0; group < splatting->Groups && !empty[side]; ++group)
-      {
-        const List& list = splatting->GetList(group, tile, side);
-        FindDepths(list.Splats.data(), list.Splats.size(), corner, clipping, share,
-          vtkSurfaceSplatParameters::CoreLimit, side == Back,
-          side == Back ? planes.Farthest[Front] : nullptr, planes.Visible[side]);
-      }
-      if (side == Front && !empty[Back])
-      {
-        FindFarthest(planes.Visible[Front], planes.Farthest[Front]);
-      }
-    }
+    std::copy_n(splatting->GetFrontDepths(tile), TileSize * Stride, planes.Visible[Front]);
+    std::fill_n(planes.Visible[Back], TileSize * Stride, Far);
+    this->FindVisible(splatting, parameters, tile, Back, planes.Visible[Back]);
     for (bool showingBack : { true, false })
     {
       if (empty[Front] || !FindGaps(showingBack, planes))
@@ -685,10 +759,9 @@ public:
         continue;
       }
       std::fill_n(planes.Margin, TileSize * Stride, Far);
-      for (int group = 0; group < splatting->Groups; ++group)
+      for (const Group& group : splatting->Groups)
       {
-        const List& list = splatting->GetList(group, tile, Front);
-        FindDepths(list.Splats.data(), list.Splats.size(), corner, clipping, 1.0f,
+        FindDepths(group.Splats.data(), group.Tiles[Front][tile], corner, clipping, 1.0f,
           showingBack ? blend * blend : 0.0f, false, planes.Gaps, planes.Margin);
       }
       CloseGaps(showingBack, planes.Visible[Front], planes.Visible[Back], planes.Margin);
@@ -703,17 +776,33 @@ public:
     for (int side : { Front, Back })
     {
       FindFarthest(planes.Visible[side], planes.Farthest[side]);
-      for (int group = 0; group < splatting->Groups && !empty[side]; ++group)
+      for (const Group& group : splatting->Groups)
       {
-        const List& list = splatting->GetList(group, tile, side);
-        blendSplats(list.Splats.data(), list.Colors.data(), list.Splats.size(), corner, clipping,
-          1.0f / (blend * blend), side == Back, planes);
+        blendSplats(group.Splats.data(), group.Colors.data(), group.Tiles[side][tile], corner,
+          clipping, 1.0f / (blend * blend), side == Back, planes);
       }
     }
     this->Write(corner, pixels);
   }
 
 private:
+  /// The least depths of what covers, of a side.
+  static void FindVisible(vtkSurfaceSplattingCPU* splatting,
+    const vtkSurfaceSplatParameters& parameters, int tile, int side, float* depths)
+  {
+    const int corner[2] = { tile % splatting->Columns * TileSize,
+      tile / splatting->Columns * TileSize };
+    Clipping clipping(parameters);
+    clipping.SetTile(corner);
+    const auto blend = static_cast<float>(parameters.Options.BlendRadius);
+    const float share = std::sqrt(vtkSurfaceSplatParameters::CoreLimit) / blend;
+    for (const Group& group : splatting->Groups)
+    {
+      FindDepths(group.Splats.data(), group.Tiles[side][tile], corner, clipping, share,
+        vtkSurfaceSplatParameters::CoreLimit, side == Back, nullptr, depths);
+    }
+  }
+
   void Clear(bool ids, bool colors)
   {
     Planes& planes = this->MyPlanes;
@@ -789,23 +878,42 @@ private:
   Planes MyPlanes;
 };
 
+bool vtkSurfaceSplattingCPU::IsEmpty(int tile, int side) const
+{
+  return std::all_of(this->Groups.begin(), this->Groups.end(),
+    [&](const Group& group) { return group.Tiles[side][tile].empty(); });
+}
+
+float* vtkSurfaceSplattingCPU::GetFrontDepths(int tile)
+{
+  return &this->FrontDepths[static_cast<size_t>(tile) * TileSize * Stride];
+}
+
 void vtkSurfaceSplattingCPU::DrawSplats(
   const vtkSurfaceSplatParameters& parameters, bool ids, bool colors, vtkSurfacePixels& pixels)
 {
   const auto& r = parameters.View.Rectangle;
   pixels.Allocate({ r[0], r[1], r[0] + r[2], r[1] + r[3] }, ids, colors);
   vtkSMPThreadLocal<std::shared_ptr<Tile>> tiles;
-  vtkSMPTools::For(0, this->Columns * this->Rows, 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      std::shared_ptr<Tile>& tile = tiles.Local();
-      if (!tile)
+  const auto forAll = [&](int count, const std::function<void(Tile&, int)>& work)
+  {
+    vtkSMPTools::For(0, count, 1,
+      [&](vtkIdType begin, vtkIdType end)
       {
-        tile = std::make_shared<Tile>();
-      }
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        tile->Draw(this, parameters, static_cast<int>(i), pixels);
-      }
-    });
+        std::shared_ptr<Tile>& tile = tiles.Local();
+        if (!tile)
+        {
+          tile = std::make_shared<Tile>();
+        }
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          work(*tile, static_cast<int>(i));
+        }
+      });
+  };
+  const int count = this->Columns * this->Rows;
+  forAll(count, [&](Tile& tile, int i) { tile.FindFront(this, parameters, i); });
+  forAll(static_cast<int>(this->Groups.size()),
+    [&](Tile&, int group) { this->SortBacks(this->Groups[group]); });
+  forAll(count, [&](Tile& tile, int i) { tile.Draw(this, parameters, i, pixels); });
 }

@@ -4,9 +4,10 @@
  * @brief   the step from points to a surface buffer by splats, by the processor
  *
  * The same as vtkSurfaceSplattingOpenGL, by tiles of the image that fit into the processor's cache:
- * splats are made and sorted into the tiles that they reach, then each tile goes through its splats
- * twice, once for the visible depths and once for what is blended there. Threaded by vtkSMPTools;
- * the result does not depend on the number of threads.
+ * splats of the front are made and sorted into the tiles that they reach, each tile finds its
+ * depths, what of the back is not hidden there is sorted too, and then each tile goes through its
+ * splats again, for what is blended at the visible depths. Threaded by vtkSMPTools; the result does
+ * not depend on the number of threads.
  */
 #ifndef vtkSurfaceSplattingCPU_h
 #define vtkSurfaceSplattingCPU_h
@@ -40,24 +41,45 @@ private:
   vtkSurfaceSplattingCPU(const vtkSurfaceSplattingCPU&) = delete;
   void operator=(const vtkSurfaceSplattingCPU&) = delete;
 
-  /// The splats of one side that reach a tile, those of a group of points, in the points' order.
-  struct List
+  /// The pixels whose centres may lie in a splat, the last ones included.
+  struct Box
+  {
+    int X0, Y0, X1, Y1;
+  };
+
+  /// What tells whether a splat of the back is hidden.
+  struct BackSplat
+  {
+    Box Pixels;
+    float Nearest;
+    unsigned int Place;
+  };
+
+  /// The splats of a group of points in the points' order, and the places there of those that
+  /// reach a tile: of the front and of the back.
+  struct Group
   {
     std::vector<Splat> Splats;
     std::vector<std::array<float, 4>> Colors;
+    std::vector<BackSplat> Backs;
+    std::array<std::vector<std::vector<unsigned int>>, 2> Tiles;
+    void Clear();
   };
   class Maker;
   class Tile;
 
-  List& GetList(int group, int tile, int side)
-  {
-    return this->Lists[2 * (static_cast<size_t>(group) * this->Columns * this->Rows + tile) + side];
-  }
+  void Sort(
+    std::vector<std::vector<unsigned int>>& tiles, unsigned int place, const Box& box) const;
+  bool IsHidden(const BackSplat& back) const;
+  void SortBacks(Group& group) const;
+  bool IsEmpty(int tile, int side) const;
+  float* GetFrontDepths(int tile);
 
   int Columns = 0; // of tiles
   int Rows = 0;
-  int Groups = 0;
-  std::vector<List> Lists;
+  std::vector<Group> Groups;
+  std::vector<float> FrontDepths; // of the pixels of one tile after the other
+  std::vector<float> Farthest;    // of them, in each part of the image
 };
 
 #endif
