@@ -28,9 +28,6 @@ constexpr int Parts = TileSize / PartSize;
 /// Points are sorted by one thread a group, whatever the number of threads is.
 constexpr size_t LargestNumberOfGroups = 32;
 
-/// Splats between the one that is drawn and the one whose memory is asked for.
-constexpr size_t FetchAhead = 6;
-
 constexpr float Far = 3e38f;
 
 enum Side
@@ -484,10 +481,8 @@ void FindDepths(const vtkSurfaceSplattingCPU::Splat* splats,
   const std::vector<unsigned int>& places, const int* corner, const Clipping& clipping, float share,
   float givenLimit, bool back, const float* hiding, float* depths)
 {
-  for (size_t s = 0; s < places.size(); ++s)
+  for (const unsigned int place : places)
   {
-    VTK_POINT_SURFACE_PREFETCH(splats + places[std::min(s + FetchAhead, places.size() - 1)]);
-    const unsigned int place = places[s];
     const vtkSurfaceSplattingCPU::Splat splat = splats[place]; // that no write below can change
     const Span span = MakeSpan(splat, corner, share);
     const float added = back ? splat.Tolerance : 0.0f;
@@ -541,10 +536,8 @@ VTK_POINT_SURFACE_INLINE void BlendSplats(const vtkSurfaceSplattingCPU::Splat* s
 {
   const float* visible = planes.Visible[back ? Back : Front];
   const float* farthest = planes.Farthest[back ? Back : Front];
-  for (size_t s = 0; s < places.size(); ++s)
+  for (const unsigned int place : places)
   {
-    VTK_POINT_SURFACE_PREFETCH(splats + places[std::min(s + FetchAhead, places.size() - 1)]);
-    const unsigned int place = places[s];
     const vtkSurfaceSplattingCPU::Splat splat = splats[place]; // that no write below can change
     const Span span = MakeSpan(splat, corner, 1.0f);
     // as the visible depths of the back have it, so that the difference is the tolerance too
