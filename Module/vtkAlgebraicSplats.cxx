@@ -200,8 +200,10 @@ vtkAlgebraicSplat vtkAlgebraicSplats::Worker::Fit(
   double radius = overlapping;
   if (this->Filter->Selection == HOLE_FREE && this->Filter->Overlap > 1.0)
   {
-    // of points spread evenly over a disc, whose mean distance from its centre is 1
-    const double spacing = 1.5 * std::sqrt(vtkMath::Pi() / this->Filter->NumberOfNeighbors);
+    // of points spread evenly over a disc, whose mean distance from its centre is 1; those on the
+    // other side are not among them
+    const double spacing =
+      1.5 * std::sqrt(vtkMath::Pi() / std::max<size_t>(fitter.Neighbors.size(), 1));
     radius = std::max(radius, this->Filter->Quality + LargestGap * spacing);
   }
   fitter.LimitedShare = overlapping / radius;

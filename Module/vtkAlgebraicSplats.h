@@ -115,7 +115,8 @@ public:
    * The radius of a splat's disc is Overlap (1 to 10) times Quality times h; the paper has 1
    * (section 2.3.2), which leaves holes of the size of the points' spacing. Over 1, a disc of
    * HOLE_FREE is large enough to cover these, too: Quality times h and three quarters of the
-   * spacing, which is more where NumberOfNeighbors or Quality is small. Default: 1.3.
+   * spacing, which is more where Quality is small, or the neighbours that a splat is fitted to are
+   * few. Default: 1.3.
    */
   vtkSetClampMacro(Overlap, double, 1.0, 10.0);
   vtkGetMacro(Overlap, double);

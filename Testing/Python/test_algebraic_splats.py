@@ -277,6 +277,27 @@ def test_lone_wrong_normals_leave_no_hole(selection, capfd):
     assert (array(splats, "Normals") * positions(splats)).sum(axis=1).min() > 0.9
 
 
+def test_few_neighbours_on_one_side_leave_no_holes():
+    """A sheet just above one that is denser: of a point's neighbours one in seven is on its side, and farther away."""
+
+    def even(rows, z, random):
+        xy = np.stack(np.meshgrid(np.arange(rows), np.arange(rows)), axis=-1).reshape(-1, 2)
+        xy = 2 * (xy + random.uniform(0.1, 0.9, xy.shape)) / rows - 1
+        return np.column_stack([xy, np.full(len(xy), z)])
+
+    random = np.random.default_rng(0)
+    upper, lower = even(40, 1e-3, random), even(98, 0, random)
+    sides = np.repeat([1.0, -1.0], [len(upper), len(lower)])
+    points = np.concatenate([upper, lower])
+    splats = fit(cloud(points, np.outer(sides, [0, 0, 1])), Order=1).GetOutput()
+    is_upper = array(splats, "Normals")[:, 2] > 0
+    centers, radii = positions(splats)[is_upper, :2], array(splats, "radius")[is_upper]
+    line = np.linspace(-0.9, 0.9, 300)
+    bare = [(np.hypot(line[:, None] - centers[:, 0], y - centers[:, 1]) > radii).all(axis=1).mean() for y in line]
+    print(f"{100 * np.mean(bare):.3f}% of the upper sheet without a splat")
+    assert np.mean(bare) < 0.001
+
+
 def test_hole_free_selection_covers_every_point():
     poly = sphere(20000)
     for quality in (0.5, 1.0):
