@@ -4,6 +4,9 @@
 #include "vtkDirectParameters.h"
 #include "vtkDirectReconstructionCPU.h"
 #include "vtkDirectReconstructionOpenGL.h"
+#include "vtkDrawablePoints.h"
+#include "vtkDuplicatePoints.h"
+#include "vtkJointSurface.h"
 #include "vtkLitSplatsDec.h"
 #include "vtkLitSplatsFetch.h"
 #include "vtkLitSplatsImpl.h"
@@ -16,11 +19,13 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPolyData.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
 #include "vtkTimerLog.h"
@@ -114,6 +119,11 @@ vtkPointProjectionOptions GetProjectionOptions(const vtkDirectParameters& parame
 }
 }
 
+bool vtkDirectPointMapper::IsAlone() const
+{
+  return this->GetMembers().size() == 1;
+}
+
 void vtkDirectPointMapper::MakeSurfaceBuffer(
   vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view, vtkSurfaceTarget& surface)
 {
@@ -122,9 +132,14 @@ void vtkDirectPointMapper::MakeSurfaceBuffer(
   this->RememberParameters(parameters);
   this->ProjectPoints(window, parameters.ImageView, GetProjectionOptions(parameters), surface,
     internals.Nearest, this->FarthestPoints ? &internals.Farthest : nullptr);
+  vtkDuplicatePoints* copies = this->IsAlone() ? this->ActivateDuplicates() : nullptr;
   internals.Reconstruction.Run(window, parameters, internals.Nearest,
-    this->FarthestPoints ? internals.Farthest : internals.Nearest,
+    this->FarthestPoints ? internals.Farthest : internals.Nearest, copies,
     this->ShadeBeforeSplatting ? this->GetSplats() : internals.Splats, surface);
+  if (copies)
+  {
+    copies->Deactivate();
+  }
   this->LastFramePasses = internals.Reconstruction.GetPasses();
   this->LastFrameNormalsMilliseconds = 0.0;
 }
@@ -139,7 +154,8 @@ void vtkDirectPointMapper::MakeSurfacePixels(
     internals.NearestCPU, this->FarthestPoints ? &internals.FarthestCPU : nullptr);
   const double start = vtkTimerLog::GetUniversalTime();
   internals.ReconstructionCPU.FitNormals(parameters, internals.NearestCPU,
-    this->FarthestPoints ? internals.FarthestCPU : internals.NearestCPU);
+    this->FarthestPoints ? internals.FarthestCPU : internals.NearestCPU,
+    this->IsAlone() ? this->GetDrawablePoints().GetDuplicates() : std::vector<unsigned char>());
   this->LastFrameNormalsMilliseconds = 1e3 * (vtkTimerLog::GetUniversalTime() - start);
   internals.ReconstructionCPU.DrawSplats(parameters, ids, colors, surface);
   if (this->ShadeBeforeSplatting)

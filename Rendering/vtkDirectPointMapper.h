@@ -207,6 +207,7 @@ private:
   void operator=(const vtkDirectPointMapper&) = delete;
 
   vtkDirectOptions GetOptions() const;
+  bool IsAlone() const; // in its surface buffer, the ids of which are those of its points
   void RememberParameters(const vtkDirectParameters& parameters);
 
   class vtkInternals;

@@ -73,7 +73,7 @@ void GetPosition(const vtkDirectParameters& p, vtkSurfaceImage& image, int x, in
 }
 
 void LoadCell(const vtkDirectParameters& p, vtkSurfaceImage& nearest, vtkSurfaceImage& farthest,
-  int x, int y, Cell& cell)
+  const std::vector<unsigned char>& copies, int x, int y, Cell& cell)
 {
   cell = Cell{};
   if (!(nearest.GetRow(y, vtkSurfaceImage::Radius)[x] > 0.0f))
@@ -85,6 +85,7 @@ void LoadCell(const vtkDirectParameters& p, vtkSurfaceImage& nearest, vtkSurface
   GetPosition(p, second, x, y, cell.Farthest);
   cell.Open = 1;
   cell.Id = nearest.HasIds() ? nearest.GetIds(y)[x] : 0;
+  cell.IsCopy = !copies.empty() && copies[cell.Id - 1] != 0;
   for (int k = 0; k < 4 && nearest.HasColors(); ++k)
   {
     const int plane = vtkSurfaceImage::Red + k;
@@ -112,6 +113,7 @@ void MergeCell(const vtkDirectParameters& p, const Grid& fine, int x, int y, int
     return;
   }
   cell.Id = front->Id;
+  cell.IsCopy = front->IsCopy;
   std::copy_n(front->Nearest, 3, cell.Nearest);
   std::copy_n(front->Nearest, 3, cell.Farthest);
   const float tolerance = std::max(p.Gamma, (1 << level) * GetEyeCell(p, -front->Nearest[2]));
@@ -364,8 +366,8 @@ void ForCells(const vtkDirectParameters::Level& level, Cells& cells, const Funct
 }
 
 //------------------------------------------------------------------------------
-void vtkDirectReconstructionCPU::FitNormals(
-  const vtkDirectParameters& p, vtkSurfaceImage& nearest, vtkSurfaceImage& farthest)
+void vtkDirectReconstructionCPU::FitNormals(const vtkDirectParameters& p, vtkSurfaceImage& nearest,
+  vtkSurfaceImage& farthest, const std::vector<unsigned char>& copies)
 {
   this->Levels.resize(p.Levels.size());
   for (int level = 0; level <= p.GetCoarsestLevel(); ++level)
@@ -377,7 +379,7 @@ void vtkDirectReconstructionCPU::FitNormals(
     if (level == 0)
     {
       ForCells(extent, cells,
-        [&](int x, int y, Cell& cell) { LoadCell(p, nearest, farthest, x, y, cell); });
+        [&](int x, int y, Cell& cell) { LoadCell(p, nearest, farthest, copies, x, y, cell); });
     }
     else
     {
@@ -426,6 +428,10 @@ public:
 
   void FindFront(const Cell& cell)
   {
+    if (cell.IsCopy)
+    {
+      return;
+    }
     this->ForRows(cell,
       [&](int row, int begin, int end)
       {
@@ -450,7 +456,9 @@ public:
         {
           const float weight = this->Kernel[x];
           const float depth = this->Depths[x];
-          if (!(weight > 0.0f) || (tests && depth > this->Front[first + x] + tolerance))
+          const float front = this->Front[first + x];
+          const bool counts = weight > 0.0f && (!tests || depth <= front + tolerance);
+          if (!counts || (cell.IsCopy && depth < front - tolerance))
           {
             continue;
           }
@@ -684,7 +692,7 @@ void CopySplat(
       {
         out[k] = 0.5f * (cell.Nearest[k] + cell.Farthest[k]);
       }
-      out[3] = 0.0f;
+      out[3] = cell.IsCopy ? -1.0f : 0.0f;
       return;
     default:
       std::copy_n(cell.Color, 4, out);

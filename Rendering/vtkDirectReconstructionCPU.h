@@ -31,6 +31,7 @@ public:
     float Color[4];
     unsigned int Id;
     unsigned char Open;   ///< points below are not yet in a splat
+    unsigned char IsCopy; ///< its nearest point is another process' one, which makes this splat too
     unsigned char Splats; ///< what follows is set, and makes a splat
     float Normal[3];
     float Depth;     ///< of the mean of the two points
@@ -43,10 +44,12 @@ public:
   /**
    * Makes the normals of the cells, then the `pixels` of the parameters' rectangle. The images are
    * projections of the points with sub-pixel centres and centre depths, the nearest ones and the
-   * farthest ones behind them.
+   * farthest ones behind them. The `copies`, empty or a byte for each point that the images have
+   * ids of, are not 0 for copies of another process' points: their splats are averaged with those
+   * of others and cover no pixel by themselves.
    */
-  void FitNormals(
-    const vtkDirectParameters& parameters, vtkSurfaceImage& nearest, vtkSurfaceImage& farthest);
+  void FitNormals(const vtkDirectParameters& parameters, vtkSurfaceImage& nearest,
+    vtkSurfaceImage& farthest, const std::vector<unsigned char>& copies);
   void DrawSplats(
     const vtkDirectParameters& parameters, bool ids, bool colors, vtkSurfacePixels& pixels);
   ///@}

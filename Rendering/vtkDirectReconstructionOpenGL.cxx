@@ -8,6 +8,7 @@
 #include "vtkDirectParameters.h"
 #include "vtkDirectSplats.h"
 #include "vtkDirectSplatsFS.h"
+#include "vtkDuplicatePoints.h"
 #include "vtkScreenPass.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -40,18 +41,18 @@ vtkDirectReconstructionOpenGL::~vtkDirectReconstructionOpenGL() = default;
 //------------------------------------------------------------------------------
 void vtkDirectReconstructionOpenGL::Run(vtkOpenGLRenderWindow* window,
   const vtkDirectParameters& parameters, vtkSurfaceTarget& nearest, vtkSurfaceTarget& farthest,
-  vtkSurfaceTarget& splats, vtkSurfaceTarget& surface)
+  vtkDuplicatePoints* copies, vtkSurfaceTarget& splats, vtkSurfaceTarget& surface)
 {
   this->Passes = 0;
   this->Allocate(window, parameters, nearest.GetLayers());
   const auto& size = parameters.SplatsSize;
   splats.Allocate(window, size[0], size[1], nearest.GetLayers());
   this->Load(window, parameters, nearest, farthest);
-  this->FitNormals(window, parameters, 0, splats);
+  this->FitNormals(window, parameters, 0, copies, splats);
   for (int level = 1; level <= parameters.GetCoarsestLevel(); ++level)
   {
     this->Merge(window, parameters, level, splats);
-    this->FitNormals(window, parameters, level, splats);
+    this->FitNormals(window, parameters, level, copies, splats);
   }
   this->DrawSplats(window, parameters, splats, surface);
 }
@@ -120,10 +121,12 @@ void vtkDirectReconstructionOpenGL::Merge(vtkOpenGLRenderWindow* window,
 }
 
 void vtkDirectReconstructionOpenGL::FitNormals(vtkOpenGLRenderWindow* window,
-  const vtkDirectParameters& parameters, int level, vtkSurfaceTarget& splats)
+  const vtkDirectParameters& parameters, int level, vtkDuplicatePoints* copies,
+  vtkSurfaceTarget& splats)
 {
   vtkSurfaceTarget& cells = *this->Cells[level];
-  vtkScreenPass& pass = this->GetPass(NormalsPass, cells.GetLayers(), splats.GetLayers());
+  vtkScreenPass& pass =
+    this->GetPass(copies ? PartNormalsPass : NormalsPass, cells.GetLayers(), splats.GetLayers());
   vtkShaderProgram* program = pass.Ready(window);
   if (!program)
   {
@@ -150,6 +153,10 @@ void vtkDirectReconstructionOpenGL::FitNormals(vtkOpenGLRenderWindow* window,
   program->SetUniform2f("fitDepths", fitDepths);
   program->SetUniformf("steepStep", vtkDirectParameters::SteepStep);
   program->SetUniformf("evenSteps", vtkDirectParameters::EvenSteps);
+  if (copies)
+  {
+    copies->SetSampler(program, "copies");
+  }
   splats.BindForWriting(window);
   DrawRectangle(window, pass, r, parameters.Levels[level].Offset);
   ++this->Passes;
@@ -230,6 +237,9 @@ vtkScreenPass& vtkDirectReconstructionOpenGL::GetPass(
         text += vtkSurfaceTarget::GetInputDeclarations(input, "splat");
         text += std::string(vtkDirectCommon) + vtkDirectMergeFS;
         break;
+      case PartNormalsPass:
+        text += "#define HAS_COPIES\n";
+        [[fallthrough]];
       case NormalsPass:
         text += vtkSurfaceTarget::GetInputDeclarations(input, "in");
         text += std::string(vtkDirectCommon) + vtkDirectNormalsFS;

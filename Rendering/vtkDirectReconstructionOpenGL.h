@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+class vtkDuplicatePoints;
 class vtkOpenGLRenderWindow;
 class vtkScreenPass;
 class vtkShaderProgram;
@@ -33,11 +34,13 @@ public:
   /**
    * Makes `splats`, the image of them, and fills `surface` with them within the parameters'
    * rectangle. The projected targets have sub-pixel centres and centre depths, and the layers Id
-   * and Color where `surface` has them.
+   * and Color where `surface` has them. The `copies`, active or nullptr, tell which points are
+   * copies of another process' ones: their splats are averaged with those of others and cover no
+   * pixel by themselves. They need the layer Id.
    */
   void Run(vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters,
-    vtkSurfaceTarget& nearest, vtkSurfaceTarget& farthest, vtkSurfaceTarget& splats,
-    vtkSurfaceTarget& surface);
+    vtkSurfaceTarget& nearest, vtkSurfaceTarget& farthest, vtkDuplicatePoints* copies,
+    vtkSurfaceTarget& splats, vtkSurfaceTarget& surface);
 
   ///@{
   /**
@@ -66,6 +69,7 @@ private:
     LoadPass,
     MergePass,
     NormalsPass,
+    PartNormalsPass, // of a cloud with copies of other processes' points
     SplatsPass,
     NumberOfKinds
   };
@@ -77,7 +81,7 @@ private:
   void Merge(vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters, int level,
     vtkSurfaceTarget& splats);
   void FitNormals(vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters, int level,
-    vtkSurfaceTarget& splats);
+    vtkDuplicatePoints* copies, vtkSurfaceTarget& splats);
   void DrawSplats(vtkOpenGLRenderWindow* window, const vtkDirectParameters& parameters,
     vtkSurfaceTarget& splats, vtkSurfaceTarget& surface);
   vtkScreenPass& GetPass(Kind kind, const Layers& input, const Layers& output);

@@ -945,6 +945,18 @@ bool vtkPointSurfaceMapper::CanTellDuplicates()
   return lack.empty();
 }
 
+vtkDuplicatePoints* vtkPointSurfaceMapper::ActivateDuplicates()
+{
+  vtkInternals& internals = *this->Internals;
+  if (!this->CanTellDuplicates())
+  {
+    return nullptr;
+  }
+  internals.Duplicates.Activate(
+    internals.Window, internals.Points.GetDuplicates(), internals.PointsTime.GetMTime());
+  return &internals.Duplicates;
+}
+
 //------------------------------------------------------------------------------
 bool vtkPointSurfaceMapper::BeginsFrame() const
 {
@@ -1326,11 +1338,12 @@ void vtkPointSurfaceMapper::ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* 
 {
   vtkInternals& internals = *this->Internals;
   vtkSurfaceTarget& target = internals.Current->Target;
-  const bool duplicates = this->CanTellDuplicates();
-  if (internals.ShadedLayers != target.GetLayers() || internals.ShadedDuplicates != duplicates)
+  vtkDuplicatePoints* duplicates = this->ActivateDuplicates();
+  const bool hasDuplicates = duplicates != nullptr;
+  if (internals.ShadedLayers != target.GetLayers() || internals.ShadedDuplicates != hasDuplicates)
   {
     internals.ShadedLayers = target.GetLayers();
-    internals.ShadedDuplicates = duplicates;
+    internals.ShadedDuplicates = hasDuplicates;
     internals.ShadedLayersTime.Modified();
   }
 
@@ -1339,11 +1352,6 @@ void vtkPointSurfaceMapper::ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* 
   helper.IBO->IndexCount = 3; // or VTK forgets when it has set the attributes
   target.Activate();
   internals.Current->Splats.Activate();
-  if (duplicates)
-  {
-    internals.Duplicates.Activate(
-      internals.Window, internals.Points.GetDuplicates(), internals.PointsTime.GetMTime());
-  }
   this->UpdateShaders(helper, renderer, actor);
   if (helper.Program)
   {
@@ -1375,7 +1383,7 @@ void vtkPointSurfaceMapper::ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* 
   }
   if (duplicates)
   {
-    internals.Duplicates.Deactivate();
+    duplicates->Deactivate();
   }
   internals.Current->Splats.Deactivate();
   target.Deactivate();

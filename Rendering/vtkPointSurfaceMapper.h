@@ -51,6 +51,7 @@
 #include <vector> // for std::vector
 
 class vtkDrawablePoints;
+class vtkDuplicatePoints;
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexBufferObjectCache;
@@ -290,6 +291,12 @@ protected:
    * For subclasses: whether other processes have the rest of the cloud (vtkGhostPointsGenerator).
    */
   bool IsPart() const;
+
+  /**
+   * For subclasses: which points are copies of those of other processes, for shaders, to be
+   * deactivated by who calls; nullptr where none are or this context cannot tell.
+   */
+  vtkDuplicatePoints* ActivateDuplicates();
 
   /**
    * What MakeSurfaceBuffer() needs and the current context lacks, in the words of vtkContextNeeds;

@@ -16,6 +16,9 @@ uniform float fitRadius;
 uniform vec2 fitDepths; // how far from the mean, and then from the first plane, points count
 uniform float steepStep; // least step in depth, in cells, of a slope that the fit starts from
 uniform float evenSteps; // two steps are at most so many times the smaller one
+#ifdef HAS_COPIES
+uniform samplerBuffer copies; // see vtkDuplicatePoints
+#endif
 
 vec4 getShape(ivec2 cell)
 {
@@ -134,6 +137,10 @@ void main()
       place.xyz = 0.5 * (shape.xyz + interval.xyz);
       // a point far from all others stays small
       splat = vec4(fitNormal(cell, place.xyz), splatRadius * (enough ? size : 1.0));
+#ifdef HAS_COPIES
+      int point = int(texelFetch(inId, cell, 0).r) - 1;
+      place.w = texelFetch(copies, point >> 2)[point & 3] > 0.0 ? -1.0 : 0.0;
+#endif
     }
     else
     {

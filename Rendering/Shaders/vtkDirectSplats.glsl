@@ -29,6 +29,7 @@ bool isClipped(vec2 place, float depth)
 struct Splat
 {
   bool covers;
+  bool isCopy; // counts beside others, and covers nothing by itself
   float weight;
   float depth;
   float tolerance;
@@ -44,7 +45,9 @@ Splat getSplat(ivec2 texel, vec2 place)
   {
     return splat;
   }
-  vec3 mean = texelFetch(inInterval, texel, 0).xyz;
+  vec4 interval = texelFetch(inInterval, texel, 0);
+  vec3 mean = interval.xyz;
+  splat.isCopy = interval.w < 0.0;
   splat.depth = -mean.z;
   splat.normal = shape.xyz;
   vec2 raySlope = eyeRayStep.zw + splat.depth * eyeRayStep.xy; // eye units a cell
@@ -94,7 +97,7 @@ float getFront(vec2 place)
       for (int x = cells.x; x < cells.z; ++x)
       {
         Splat splat = getSplat(ivec2(x, y) + levelOffset[level], place);
-        front = splat.covers ? min(front, splat.depth) : front;
+        front = splat.covers && !splat.isCopy ? min(front, splat.depth) : front;
       }
     }
   }
@@ -103,5 +106,6 @@ float getFront(vec2 place)
 
 bool counts(Splat splat, float front)
 {
-  return splat.covers && (!depthTest || splat.depth <= front + splat.tolerance);
+  bool near = splat.covers && (!depthTest || splat.depth <= front + splat.tolerance);
+  return near && (!splat.isCopy || splat.depth >= front - splat.tolerance);
 }

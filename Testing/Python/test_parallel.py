@@ -9,7 +9,7 @@ import sys
 
 import numpy as np
 import pytest
-from scenes import MAPPERS, Scene, array, input_of, torus_cloud
+from scenes import BACKENDS, MAPPERS, Scene, array, input_of, torus_cloud
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkMultiBlockDataSet, vtkPolyData
@@ -357,6 +357,60 @@ def test_pictures_are_that_of_the_whole(ranks, mapper_class):
         print(f"{mapper_class.__name__}, {name}: {difference:.4f} grey levels, {unfilled} unfilled, {more} more")
     assert measured["with"][0] < 1 and measured["with"][1] == 0
     assert measured["with"][0] < measured["without"][0]
+
+
+def parts_of(points, radii, distance):
+    """The parts of a cloud for Direct that two ranks have, each a half in x, as vtkGhostPointsGenerator makes them."""
+    upper = points[:, 0] > np.median(points[:, 0])
+    whole = positions_only(points, radii)
+    told = [*whole.GetBounds(), radii.mean(), radii.max(), distance]
+    for own in (upper, ~upper):
+        outside = np.maximum(np.maximum(points[own].min(axis=0) - points, points - points[own].max(axis=0)), 0)
+        near = np.linalg.norm(outside, axis=1) <= vtkGhostPointsGenerator().GetReach() * radii
+        ids = np.concatenate([np.flatnonzero(own), np.flatnonzero(near & ~own)])
+        part = positions_only(points[ids], radii[ids])
+        ghosts = np.where(own[ids], 0, vtkDataSetAttributes.DUPLICATEPOINT)
+        part.GetPointData().AddArray(array(ghosts, vtkDataSetAttributes.GhostArrayName(), np.uint8))
+        part.GetFieldData().AddArray(array(told, "vtkWholeCloud", np.float64))
+        yield part
+
+
+def positions_only(points, radii):
+    data = vtkPolyData()
+    data.SetPoints(vtkPoints())
+    data.GetPoints().SetData(array(points))
+    data.GetPointData().AddArray(array(radii, "radius"))
+    return data
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_copies_cover_nothing_that_the_whole_does_not(backend):
+    """Where the copies end their cells have neighbours on one side alone, as few as where points are sparse: no coarse splats
+    may be seen there past the outline."""
+    cloud = torus_cloud(30000)
+    points, radii = positions(cloud), numpy_of(cloud, "radius")
+    distance = 0.7 * float(radii[0])
+    clouds = [cloud, *parts_of(points, radii, distance)]
+    scenes = [Scene(vtkDirectPointMapper, data, bounds=cloud.GetBounds()) for data in clouds]
+    scenes[0].mapper.SetRadius(distance)
+    for scene in scenes:
+        scene.mapper.SetBackend(getattr(vtkDirectPointMapper, backend))
+    more = 0
+    for turn in range(4 if backend == "CPU" else 2):
+        for scene in scenes:
+            scene.camera.Azimuth(turn * 40)
+            scene.camera.OrthogonalizeViewUp()
+        color, *colors = np.stack([scene.color() for scene in scenes])
+        depth, *depths = np.stack([scene.depth() for scene in scenes])
+        composited = np.where((depths[0] <= depths[1])[..., None], *colors)
+        covers, covered = np.minimum(*depths) < 1, depth < 1
+        more += np.count_nonzero(covers & ~covered)
+        change = 255 * np.abs(composited - color)[covered].mean()
+        print(f"{covered.sum()} pixels, {more} more so far, {change:.4f} grey levels")
+        assert covered.sum() > 5000
+        assert not (covered & ~covers).any()
+        assert change < 0.1
+    assert more == 0
 
 
 def test_one_process_changes_nothing():

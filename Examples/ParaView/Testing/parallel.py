@@ -212,7 +212,7 @@ arrays["number"] = np.arange(len(points))
 whole = source_of(cloud(points, **arrays))
 for system in ("Pull-Push", "Image-Space", "Surface Splats"):
     draw(view, system, whole, system)
-draw(view, "Direct", whole, "Direct", limit=1)
+draw(view, "Direct", whole, "Direct")
 if ranks > 1:
     check_log(log, whole.GetClientSideObject().GetOutputDataObject(0).GetNumberOfPoints())
 draw(view, "translucent", whole, "Pull-Push", Opacity=0.5, BackfaceRepresentation="Cull Backface")
@@ -239,4 +239,4 @@ simple.ResetCamera(view)
 simple.Hide(model, view)
 for system in ("Pull-Push", "Image-Space"):
     draw(view, f"dragon-{system}", model, system, limit=0.3)
-draw(view, "dragon-Direct", model, "Direct", limit=1, allowed=10)  # single pixels, at outlines
+draw(view, "dragon-Direct", model, "Direct", allowed=1)  # at an outline; see Parallel.md
