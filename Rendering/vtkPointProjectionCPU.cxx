@@ -839,7 +839,6 @@ void vtkPointProjectionCPU::ListCompanions(const Part& part,
 {
   const int bands = GetNumberOfBands(part.View);
   const int bottom = image.GetRectangle()[1];
-  const auto firstId = static_cast<unsigned int>(part.Source->FirstId);
   for (Companions& companions : this->Listed)
   {
     companions.Points.clear();
