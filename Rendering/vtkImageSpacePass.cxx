@@ -420,7 +420,10 @@ void vtkImageSpacePass::Render(const vtkRenderState* s)
   }
   if (renderer->GetUseFXAA() && !s->GetFrameBuffer()) // that of another pass has another size
   {
-    internals.FXAA->UpdateConfiguration(renderer->GetFXAAOptions());
+    if (vtkFXAAOptions* options = renderer->GetFXAAOptions()) // none: the filter's own, as in VTK
+    {
+      internals.FXAA->UpdateConfiguration(options);
+    }
     internals.FXAA->Execute(static_cast<vtkOpenGLRenderer*>(renderer));
   }
 }

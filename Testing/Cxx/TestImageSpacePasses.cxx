@@ -648,6 +648,10 @@ void TestRendererFXAA()
     "lines are softened by the renderer's FXAA: pixels changed");
   check.AtLeast(countLines(), 0.9 * sharp, "and are the same lines: area");
   check.AtMost(countLines(), 1.1 * sharp, "and are the same lines: area");
+  const std::vector<double> soft = cube.ReadColors();
+  cube.Renderer->SetFXAAOptions(nullptr);
+  cube.Window->Render();
+  check(CountDifferent(soft, cube.ReadColors()) == 0, "without options FXAA has its defaults");
 }
 
 /// SSAO over a pass of ours, which hands on positions and normals, beside SSAO alone.
