@@ -3,8 +3,9 @@
 // Such a loop stands in a function marked VTK_POINT_SURFACE_CLONES, which is compiled for AVX2 and
 // for the plain instruction set; the loader picks one when the library is loaded. What it calls is
 // VTK_POINT_SURFACE_INLINE, so that it is compiled for the same. Both forms compute the same bits,
-// as neither fuses multiplications with additions. Elsewhere than on x86-64 with GNU's C library
-// the macros are empty or the usual, and one plain form is compiled.
+// as neither fuses multiplications with additions. A choice by a truth value that the loop does not
+// change keeps GCC from using the lanes: choose by a number (-fopt-info-vec tells). Elsewhere than
+// on x86-64 with GNU's C library the macros are empty or the usual, and one plain form is compiled.
 #ifndef vtkPointSurfaceVectorize_h
 #define vtkPointSurfaceVectorize_h
 
