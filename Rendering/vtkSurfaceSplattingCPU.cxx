@@ -460,16 +460,32 @@ VTK_POINT_SURFACE_INLINE float GetFarthest(const float* parts, const Span& span)
   return farthest;
 }
 
+/// The largest value in each of the parts of a row of parts, of `values` by column.
+VTK_POINT_SURFACE_INLINE void FindLargest(const float* values, float* parts)
+{
+  for (int part = 0; part < Parts; ++part)
+  {
+    parts[part] = *std::max_element(values + part * PartSize, values + (part + 1) * PartSize);
+  }
+}
+
+VTK_POINT_SURFACE_CLONES
 void FindFarthest(const float* depths, float* parts)
 {
-  std::fill_n(parts, Parts * Parts, -Far);
-  for (int y = 0; y < TileSize; ++y)
+  for (int row = 0; row < Parts; ++row)
   {
-    for (int x = 0; x < TileSize; ++x)
+    float farthest[TileSize];
+    std::fill_n(farthest, TileSize, -Far);
+    for (int y = row * PartSize; y < (row + 1) * PartSize; ++y)
     {
-      float& part = parts[y / PartSize * Parts + x / PartSize];
-      part = std::max(part, depths[y * Stride + x]);
+      VTK_POINT_SURFACE_INDEPENDENT
+      for (int x = 0; x < TileSize; ++x)
+      {
+        const float depth = depths[y * Stride + x];
+        farthest[x] = depth > farthest[x] ? depth : farthest[x];
+      }
     }
+    FindLargest(farthest, parts + row * Parts);
   }
 }
 
@@ -648,27 +664,33 @@ void BlendBoth(const vtkSurfaceSplattingCPU::Splat* splats, const std::array<flo
   BlendSplats<true, true>(splats, colors, places, corner, clipping, inverseBlend, back, planes);
 }
 
-/// Which parts of the tile have pixels where the back is seen, or nothing. Returns whether there
-/// are any.
-bool FindGaps(bool showingBack, Planes& planes)
+/// Which parts of the tile have pixels where the back is seen, or nothing: Far, else -Far.
+template <bool ShowingBack>
+VTK_POINT_SURFACE_INLINE void FindGapsOf(const float* front, const float* back, float* gaps)
 {
-  bool any = false;
-  std::fill_n(planes.Gaps, Parts * Parts, -Far);
-  for (int y = 0; y < TileSize; ++y)
+  for (int row = 0; row < Parts; ++row)
   {
-    for (int x = 0; x < TileSize; ++x)
+    float found[TileSize];
+    std::fill_n(found, TileSize, -Far);
+    for (int y = row * PartSize; y < (row + 1) * PartSize; ++y)
     {
-      const int i = y * Stride + x;
-      const float front = planes.Visible[Front][i];
-      const float back = planes.Visible[Back][i];
-      if (showingBack ? back < front : std::min(front, back) >= Far)
+      VTK_POINT_SURFACE_INDEPENDENT
+      for (int x = 0; x < TileSize; ++x)
       {
-        planes.Gaps[y / PartSize * Parts + x / PartSize] = Far;
-        any = true;
+        const float f = front[y * Stride + x];
+        const float b = back[y * Stride + x];
+        const bool isGap = ShowingBack ? b < f : (f >= Far) & (b >= Far);
+        found[x] = isGap ? Far : found[x];
       }
     }
+    FindLargest(found, gaps + row * Parts);
   }
-  return any;
+}
+
+VTK_POINT_SURFACE_CLONES
+void FindGaps(bool showingBack, const float* front, const float* back, float* gaps)
+{
+  showingBack ? FindGapsOf<true>(front, back, gaps) : FindGapsOf<false>(front, back, gaps);
 }
 
 /// A back before the front's discs, or nothing, is seen through a gap between them, if it is not
@@ -685,6 +707,29 @@ void CloseGaps(bool showingBack, float* front, const float* back, const float* m
     const bool isGap = (b < f) == showingBack;
     const bool closes = (isGap & (m < b)) & (showingBack | (f >= Far));
     front[i] = closes ? m : f;
+  }
+}
+
+/// The means of what was added up, of pixels of a row from the first one on: unit normals and
+/// depths, and what colours are to be multiplied with.
+VTK_POINT_SURFACE_CLONES
+void FindMeans(const Planes& planes, int first, int count, float* surface, float* ofColors)
+{
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int x = 0; x < count; ++x)
+  {
+    const float nx = planes.Sum[0][first + x];
+    const float ny = planes.Sum[1][first + x];
+    const float nz = planes.Sum[2][first + x];
+    const float weight = planes.Weight[first + x];
+    const float length = std::sqrt(nx * nx + ny * ny + nz * nz);
+    const float ofNormal = length > 0.0f ? 1.0f / length : 0.0f;
+    const float ofWeight = weight > 0.0f ? 1.0f / weight : 0.0f;
+    surface[4 * x] = ofNormal * nx;
+    surface[4 * x + 1] = ofNormal * ny;
+    surface[4 * x + 2] = ofNormal * nz;
+    surface[4 * x + 3] = ofWeight * planes.Sum[3][first + x];
+    ofColors[x] = ofWeight;
   }
 }
 
@@ -747,7 +792,10 @@ public:
     this->FindVisible(splatting, parameters, tile, Back, planes.Visible[Back]);
     for (bool showingBack : { true, false })
     {
-      if (empty[Front] || !FindGaps(showingBack, planes))
+      FindGaps(showingBack, planes.Visible[Front], planes.Visible[Back], planes.Gaps);
+      const bool any =
+        std::find(planes.Gaps, planes.Gaps + Parts * Parts, Far) != planes.Gaps + Parts * Parts;
+      if (empty[Front] || !any)
       {
         continue;
       }
@@ -841,28 +889,19 @@ private:
     const int rows = std::min(TileSize, height - corner[1]);
     for (int y = 0; y < rows; ++y)
     {
-      for (int x = 0; x < columns; ++x)
+      const int first = y * Stride;
+      const size_t pixel = static_cast<size_t>(corner[1] + y) * width + corner[0];
+      float ofColors[TileSize];
+      FindMeans(planes, first, columns, &pixels.Surface[4 * pixel], ofColors);
+      if (!pixels.Id.empty())
       {
-        const int i = y * Stride + x;
-        const size_t pixel = static_cast<size_t>(corner[1] + y) * width + corner[0] + x;
-        const float nx = planes.Sum[0][i];
-        const float ny = planes.Sum[1][i];
-        const float nz = planes.Sum[2][i];
-        const float length = std::sqrt(nx * nx + ny * ny + nz * nz);
-        const float ofNormal = length > 0.0f ? 1.0f / length : 0.0f;
-        const float ofWeight = planes.Weight[i] > 0.0f ? 1.0f / planes.Weight[i] : 0.0f;
-        float* to = &pixels.Surface[4 * pixel];
-        to[0] = ofNormal * nx;
-        to[1] = ofNormal * ny;
-        to[2] = ofNormal * nz;
-        to[3] = ofWeight * planes.Sum[3][i];
-        if (!pixels.Id.empty())
+        std::copy_n(planes.Id + first, columns, &pixels.Id[pixel]);
+      }
+      for (int x = 0; x < columns && !pixels.Color.empty(); ++x)
+      {
+        for (int k = 0; k < 4; ++k)
         {
-          pixels.Id[pixel] = planes.Id[i];
-        }
-        for (int k = 0; k < 4 && !pixels.Color.empty(); ++k)
-        {
-          pixels.Color[4 * pixel + k] = ofWeight * planes.Colors[k][i];
+          pixels.Color[4 * (pixel + x) + k] = ofColors[x] * planes.Colors[k][first + x];
         }
       }
     }
