@@ -190,6 +190,27 @@ def test_a_gap_in_the_front_is_closed(backend):
     assert shares[0] > 0.005 and shares[1] < 0.1 * shares[0]
 
 
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_a_back_before_the_front_is_seen(backend):
+    """A sheet seen from behind, half as wide as the one behind it, which is seen from the front."""
+    x, y = (side.ravel() for side in np.meshgrid(np.linspace(-1, 1, 100), np.linspace(-1, 1, 100)))
+    far = np.stack([x, y, 0 * x], axis=-1)
+    near = [0.5, 0.5, 0] * far + [0, 0, 0.5]
+    normals = np.repeat([[0.0, 0, 1], [0, 0, -1]], len(far), axis=0)
+    frame = Frame(polydata(np.concatenate([far, near]), normals), (160, 160), backend, True, Radius=0.03)
+    frame.scene.camera.SetPosition(0, 0, 5)
+    frame.scene.camera.SetFocalPoint(0, 0, 0)
+    frame.scene.camera.SetViewUp(0, 1, 0)
+    frame.scene.renderer.ResetCamera()
+    frame.scene.window.Render()
+    drawn = surface(frame.mapper)
+    covered, backs = drawn["Depth"] > 0, drawn["Normals"][..., 2] < -0.9
+    share = backs.sum() / covered.sum()
+    print(f"back seen in {share:.4f} of the pixels")
+    assert abs(share - 0.25) < 0.01, "half as wide: a quarter"
+    assert np.allclose(drawn["Depth"][covered & ~backs].min() - drawn["Depth"][backs], 0.5, atol=1e-3)
+
+
 def cloud_of_torus(count, seed=3):
     """Random points of the torus, radii of 1.5 times their spacing."""
     random = np.random.default_rng(seed)
