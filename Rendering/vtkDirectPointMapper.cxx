@@ -153,9 +153,10 @@ void vtkDirectPointMapper::MakeSurfacePixels(
   this->ProjectPoints(parameters.ImageView, GetProjectionOptions(parameters), ids, colors,
     internals.NearestCPU, this->FarthestPoints ? &internals.FarthestCPU : nullptr);
   const double start = vtkTimerLog::GetUniversalTime();
+  const std::vector<unsigned char> none;
+  const auto& copies = this->IsAlone() ? this->GetDrawablePoints().GetDuplicates() : none;
   internals.ReconstructionCPU.FitNormals(parameters, internals.NearestCPU,
-    this->FarthestPoints ? internals.FarthestCPU : internals.NearestCPU,
-    this->IsAlone() ? this->GetDrawablePoints().GetDuplicates() : std::vector<unsigned char>());
+    this->FarthestPoints ? internals.FarthestCPU : internals.NearestCPU, copies);
   this->LastFrameNormalsMilliseconds = 1e3 * (vtkTimerLog::GetUniversalTime() - start);
   internals.ReconstructionCPU.DrawSplats(parameters, ids, colors, surface);
   if (this->ShadeBeforeSplatting)
