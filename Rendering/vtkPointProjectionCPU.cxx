@@ -158,11 +158,54 @@ struct vtkPointProjectionCPU::Footprints
 
 namespace
 {
+VTK_POINT_SURFACE_CLONES
+void BringToEye(Block& block, int count, const vtkPointProjectionCPU::Transform& transform)
+{
+  const vtkPointProjectionCPU::Transform t = transform; // that no write below can change
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int i = 0; i < count; ++i)
+  {
+    const float x = t.Eye[0].Of(block.X[i], block.Y[i], block.Z[i]);
+    const float y = t.Eye[1].Of(block.X[i], block.Y[i], block.Z[i]);
+    const float z = t.Eye[2].Of(block.X[i], block.Y[i], block.Z[i]);
+    block.X[i] = x;
+    block.Y[i] = y;
+    block.Z[i] = z;
+  }
+}
+
+/// The unit normal of a point in eye coordinates, where (x, y, z) is the point; a normal that is
+/// not known, zero, faces the viewer.
+struct EyeNormal
+{
+  float X, Y, Z;
+};
+
+VTK_POINT_SURFACE_INLINE EyeNormal FindEyeNormal(const vtkPointProjectionCPU::Transform& t,
+  const Block& normals, int i, float x, float y, float z, float distance)
+{
+  // towards the viewer is (0, 0, 1) in parallel, else minus the position
+  const float parallel = t.Parallel ? 1.0f : 0.0f;
+  const float perspective = t.Parallel ? 0.0f : -1.0f;
+  const float nx = t.Normal[0].Of(normals.X[i], normals.Y[i], normals.Z[i]);
+  const float ny = t.Normal[1].Of(normals.X[i], normals.Y[i], normals.Z[i]);
+  const float nz = t.Normal[2].Of(normals.X[i], normals.Y[i], normals.Z[i]);
+  const float length = std::sqrt(nx * nx + ny * ny + nz * nz);
+  const bool known = length > 0.0f;
+  const float ofNormal = known ? 1.0f / length : 0.0f;
+  const float ofPosition = -perspective / distance; // no number at the eye, in parallel
+  const float unknown = parallel > 0.0f ? 1.0f : ofPosition;
+  const float ofViewer = known ? 0.0f : unknown;
+  return { ofNormal * nx + ofViewer * perspective * x, ofNormal * ny + ofViewer * perspective * y,
+    ofNormal * nz + ofViewer * (perspective * z + parallel) };
+}
+
 /// Where the points of a block fall: the pixel in the rectangle, -1 for those that are not seen.
 VTK_POINT_SURFACE_CLONES
 void ProjectBlock(Block& block, const Block& normals, int count,
   const vtkPointProjectionCPU::Transform& transform, int* pixels, float* depths)
 {
+  BringToEye(block, count, transform);
   const vtkPointProjectionCPU::Transform t = transform; // that no write below can change
   const int x0 = t.Rectangle[0];
   const int y0 = t.Rectangle[1];
@@ -174,12 +217,9 @@ void ProjectBlock(Block& block, const Block& normals, int count,
   VTK_POINT_SURFACE_INDEPENDENT
   for (int i = 0; i < count; ++i)
   {
-    const float x = t.Eye[0].Of(block.X[i], block.Y[i], block.Z[i]);
-    const float y = t.Eye[1].Of(block.X[i], block.Y[i], block.Z[i]);
-    const float z = t.Eye[2].Of(block.X[i], block.Y[i], block.Z[i]);
-    block.X[i] = x;
-    block.Y[i] = y;
-    block.Z[i] = z;
+    const float x = block.X[i];
+    const float y = block.Y[i];
+    const float z = block.Z[i];
     depths[i] = -z;
     const float clipZ = t.Clip[2].Of(x, y, z);
     const float w = t.Clip[3].Of(x, y, z);
@@ -223,22 +263,6 @@ void ProjectBlock(Block& block, const Block& normals, int count,
   }
 }
 
-VTK_POINT_SURFACE_CLONES
-void BringToEye(Block& block, int count, const vtkPointProjectionCPU::Transform& transform)
-{
-  const vtkPointProjectionCPU::Transform t = transform; // that no write below can change
-  VTK_POINT_SURFACE_INDEPENDENT
-  for (int i = 0; i < count; ++i)
-  {
-    const float x = t.Eye[0].Of(block.X[i], block.Y[i], block.Z[i]);
-    const float y = t.Eye[1].Of(block.X[i], block.Y[i], block.Z[i]);
-    const float z = t.Eye[2].Of(block.X[i], block.Y[i], block.Z[i]);
-    block.X[i] = x;
-    block.Y[i] = y;
-    block.Z[i] = z;
-  }
-}
-
 /// Columns and rows of pixels of a rectangle.
 VTK_POINT_SURFACE_CLONES
 void SplitPixels(
@@ -277,19 +301,10 @@ void FindFootprints(vtkPointProjectionCPU::Footprints& points, int count,
     const float y = points.Positions.Y[i];
     const float z = points.Positions.Z[i];
     const float distance = std::sqrt(x * x + y * y + z * z);
-    const float nx = t.Normal[0].Of(points.Normals.X[i], points.Normals.Y[i], points.Normals.Z[i]);
-    const float ny = t.Normal[1].Of(points.Normals.X[i], points.Normals.Y[i], points.Normals.Z[i]);
-    const float nz = t.Normal[2].Of(points.Normals.X[i], points.Normals.Y[i], points.Normals.Z[i]);
-    const float length = std::sqrt(nx * nx + ny * ny + nz * nz);
-    const bool known = length > 0.0f; // else it faces the viewer
-    const float ofNormal = known ? 1.0f / length : 0.0f;
-    const float ofViewer = known ? 0.0f : parallel - perspective / distance;
-    const float normalX = ofNormal * nx + ofViewer * perspective * x;
-    const float normalY = ofNormal * ny + ofViewer * perspective * y;
-    const float normalZ = ofNormal * nz + ofViewer * (perspective * z + parallel);
-    points.Normals.X[i] = normalX;
-    points.Normals.Y[i] = normalY;
-    points.Normals.Z[i] = normalZ;
+    const EyeNormal normal = FindEyeNormal(t, points.Normals, i, x, y, z, distance);
+    points.Normals.X[i] = normal.X;
+    points.Normals.Y[i] = normal.Y;
+    points.Normals.Z[i] = normal.Z;
 
     const float w = t.Clip[3].Of(x, y, z);
     const float windowX = t.HalfSize[0] * (t.Clip[0].Of(x, y, z) / w + 1.0f);
@@ -298,8 +313,8 @@ void FindFootprints(vtkPointProjectionCPU::Footprints& points, int count,
     points.CenterY[i] = subpixel * (windowY - (static_cast<float>(points.Rows[i]) + 0.5f));
 
     const float radius = t.RadiusScale * points.Radii[i];
-    const float toEye = (normalX * x + normalY * y + normalZ * z) / distance;
-    const float along = std::abs(parallel * normalZ + perspective * toEye);
+    const float toEye = (normal.X * x + normal.Y * y + normal.Z * z) / distance;
+    const float along = std::abs(parallel * normal.Z + perspective * toEye);
     const float across2 = 1.0f - along * along;
     const float across = std::sqrt(across2 > 0.0f ? across2 : 0.0f);
     const float slope = across / (along > leastAlong ? along : leastAlong);
@@ -1052,17 +1067,11 @@ void TransformBlock(const Block& positions, const Block& normals, const float* r
     const float w = t.Clip[3].Of(x, y, z);
     seen[i] = (w > 0.0f) & (std::abs(clipZ) <= w);
 
-    const float nx = t.Normal[0].Of(normals.X[i], normals.Y[i], normals.Z[i]);
-    const float ny = t.Normal[1].Of(normals.X[i], normals.Y[i], normals.Z[i]);
-    const float nz = t.Normal[2].Of(normals.X[i], normals.Y[i], normals.Z[i]);
-    const float length = std::sqrt(nx * nx + ny * ny + nz * nz);
     const float distance = std::sqrt(x * x + y * y + z * z);
-    const bool known = length > 0.0f;
-    const float ofNormal = known ? 1.0f / length : 0.0f;
-    const float ofViewer = known ? 0.0f : (t.Parallel ? 1.0f : 1.0f / distance);
-    points.NormalX[i] = ofNormal * nx + ofViewer * perspective * x;
-    points.NormalY[i] = ofNormal * ny + ofViewer * perspective * y;
-    points.NormalZ[i] = ofNormal * nz + ofViewer * (perspective * z + parallel);
+    const EyeNormal normal = FindEyeNormal(t, normals, i, x, y, z, distance);
+    points.NormalX[i] = normal.X;
+    points.NormalY[i] = normal.Y;
+    points.NormalZ[i] = normal.Z;
   }
   for (int p = 0; p < t.NumberOfPlanes; ++p)
   {
