@@ -121,6 +121,31 @@ def test_radii(bare, tmp_path):
     assert not np.array_equal(wider["radius"], arrays["radius"])
 
 
+def test_what_the_file_has_is_kept_or_made_anew(tmp_path):
+    """Normals and radii of the file, if no neighbours are told."""
+    points, truth = sphere_points()
+    cloud = make_cloud(points.astype(np.float32))
+    cloud.GetPointData().SetNormals(named(np.tile(np.float32([0, 0, 1]), (len(points), 1)), "Normals"))
+    cloud.GetPointData().AddArray(named(np.full(len(points), 9, np.float32), "radius"))
+    path = write(vtkXMLPolyDataWriter(), cloud, tmp_path / "told.vtp")
+    for content, name, is_made in (
+        ("normals", "Normals", lambda normals: np.sum(normals * truth, axis=1).min() > 0.99),
+        ("radii", "radius", lambda radii: radii.max() < 1),
+    ):
+        kept = converted(path, tmp_path / "kept.vtp", "--to", content)[1][name]
+        assert np.array_equal(kept, vtk_to_numpy(cloud.GetPointData().GetArray(name)))
+        made = converted(path, tmp_path / "made.vtp", "--to", content, "--neighbors", 12)[1][name]
+        assert is_made(made)
+
+
+def test_splats_of_the_lowest_order_that_will_do(bare, tmp_path):
+    orders = [
+        set(converted(bare, tmp_path / "splats.vtp", "--to", "splats", "--order", 3, *tolerance)[1]["SplatOrder"])
+        for tolerance in ((), ("--tolerance", RADIUS), ("--tolerance", 1e-3 * RADIUS))
+    ]
+    assert orders[:2] == [{3}, {1}] and max(orders[2]) > 1
+
+
 def test_splats(bare, tmp_path):
     points, arrays = converted(bare, tmp_path / "splats.vtp", "--to", "splats", "--order", 2)
     assert 20 < len(points) < 1000

@@ -288,16 +288,17 @@ def test_missing_package_is_named(tmp_path, monkeypatch, name, package):
     check_fault(tmp_path / name, f"needs the package {package}: pip install")
 
 
-def stub_of_laspy(monkeypatch, told, decompresses=True):
-    """A package that tells of `told` points in a file, and reads three, in two steps."""
+def stub_of_laspy(monkeypatch, told, decompresses=True, colors=None):
+    """A package that tells of `told` points in a file, and reads three, in two steps; with colours, if they are given."""
 
     class Chunk(dict):
         def __len__(self):
             return len(self["x"])
 
     columns = {**dict(zip("xyz", UTM.T)), "intensity": np.array([7, 8, 9])}
+    columns.update(zip(("red", "green", "blue"), [] if colors is None else np.transpose(colors)))
     chunks = [Chunk({name: values[part] for name, values in columns.items()}) for part in (slice(2), slice(2, 3))]
-    point_format = types.SimpleNamespace(dimension_names=["X", "Y", "Z", "intensity"])
+    point_format = types.SimpleNamespace(dimension_names=[name for name in columns if name not in "xyz"])
     header = types.SimpleNamespace(point_count=told, point_format=point_format)
     file = types.SimpleNamespace(header=header, chunk_iterator=lambda _: chunks)
     backend = types.SimpleNamespace(is_available=lambda: decompresses)
@@ -315,6 +316,11 @@ def test_las_by_a_stub(tmp_path, monkeypatch):
     assert vtk_to_numpy(cloud.GetPointData().GetArray("intensity")).tolist() == [7, 8, 9]
     assert cloud.GetPointData().GetScalars() is None
     assert shares == [pytest.approx(2 / 3), 1]
+    bright = np.array([[65535, 0, 0], [0, 32768, 0], [0, 0, 256]], np.uint16)
+    for colors in (bright, bright >> 8):  # of 16 bits, or of 8 as some write them
+        stub_of_laspy(monkeypatch, 3, colors=colors)
+        found = vtk_to_numpy(read(str(path)).GetPointData().GetScalars())
+        assert found.tolist() == [[255, 0, 0], [0, 128, 0], [0, 0, 1]]
     stub_of_laspy(monkeypatch, 4)
     check_fault(path, "tells of 4 points, and 3 are there")
     stub_of_laspy(monkeypatch, 3, decompresses=False)

@@ -272,6 +272,99 @@ def test_color_map_and_range(half_sphere, tmp_path):
     assert high[1] > high[2] + 60 and high[0] > high[2], "yellow"
 
 
+def changed_sphere(half_sphere, path, change):
+    """The half sphere with its points changed; it is read back from a file."""
+    cloud = read(str(half_sphere))
+    change(vtk_to_numpy(cloud.GetPoints().GetData()), cloud.GetPointData())
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputData(cloud)
+    writer.SetFileName(str(path))
+    writer.Write()
+    return path
+
+
+def test_radii_and_samples(half_sphere, tmp_path):
+    """Discs of a radius that is told, scaled; and samples, of which outlines are smooth."""
+    picture = tmp_path / "p.png"
+    options = ("--size", "200x200", "--view", "right", "--background", "white", "--color", "black")
+    shares = []
+    for radius in ((), ("--radius", "0.001"), ("--radius", "0.001", "--radius-scale", "20"), ("--radius-scale", "0.05")):
+        draw(half_sphere, picture, *options, *radius)
+        shares.append(covered(picture).mean())
+    assert shares[2] == pytest.approx(shares[0], rel=0.01)
+    assert max(shares[1], shares[3]) < 0.97 * shares[0], "discs of a fraction of a pixel leave gaps, and end at the outline"
+    between = []
+    for samples in (1, 4):
+        draw(half_sphere, picture, *options, "--supersampling", samples)
+        gray = read_png(picture).max(axis=2)
+        between.append(((gray > 150) & (gray < 250)).sum())
+    assert between[0] < 20 < 60 < between[1], "pixels between the surface's colour and the background's"
+
+
+def test_parallel_camera_file(half_sphere, tmp_path):
+    seen = []
+    for scale in (0.6, 1.2):
+        camera = {"position": [5, 0, 0], "focal_point": [0, 0, 0], "view_up": [0, 0, 1], "parallel_scale": scale}
+        (tmp_path / "camera.json").write_text(json.dumps(camera))
+        options = ("--size", "90x90", "--camera", tmp_path / "camera.json", "--background", "white", "--json")
+        report = draw(half_sphere, tmp_path / "p.png", *options)
+        assert report["camera"] == camera
+        seen.append(covered(tmp_path / "p.png").sum())
+    assert seen[0] == pytest.approx(np.pi * (0.5 * 45 / 0.6) ** 2, rel=0.05)
+    assert seen[1] == pytest.approx(seen[0] / 4, rel=0.1)
+
+
+def test_scalars_that_are_vectors_or_not_finite(half_sphere, tmp_path):
+    """Vectors count by their length; a range is that of finite values."""
+
+    def measure(points, data):
+        values = points[:, 2].copy()
+        values[0] = np.inf
+        vectors = np.zeros_like(points)
+        vectors[:, 2] = points[:, 2] + 0.5
+        for name, array in (("measured", values), ("vectors", vectors)):
+            data.AddArray(numpy_to_vtk(array, deep=True))
+            data.GetArray(data.GetNumberOfArrays() - 1).SetName(name)
+
+    path = changed_sphere(half_sphere, tmp_path / "measured.vtp", measure)
+    pictures = []
+    for name, low, high in (("z", -0.5, 0.5), ("measured", None, None), ("vectors", 0, 1)):
+        told = (f"--range={low},{high}",) if name == "vectors" else ()
+        draw(path, tmp_path / "p.png", "--size", "90x90", "--view", "right", "--scalars", name, *told)
+        pictures.append(read_png(tmp_path / "p.png"))
+    assert np.ptp(pictures[0][20:70, 45], axis=0).max() > 100, "colours"
+    for picture in pictures[1:]:
+        assert np.abs(picture - pictures[0]).mean() < 0.5
+
+
+def test_clipped_through_the_middle(half_sphere, tmp_path):
+    """What a plane goes through if that is not told; the file's points are at x from 0 to 0.5."""
+    widths = []
+    for clip in ((), ("--clip=1,0,0",)):
+        options = ("--size", "120x120", "--view", "front", "--background", "white", "--radius", "0.012", *clip)
+        draw(half_sphere, tmp_path / "p.png", *options)
+        widths.append(covered(tmp_path / "p.png").any(axis=0).sum())
+    assert widths[1] == pytest.approx(widths[0] / 2, abs=4)
+
+
+def test_occlusion_is_of_the_size_of_the_scene(half_sphere, tmp_path):
+    """SSAO in the hollow side, whatever the unit is."""
+
+    def enlarge(points, _):
+        points *= 1000
+
+    paths = half_sphere, changed_sphere(half_sphere, tmp_path / "large.vtp", enlarge)
+    options = ("--size", "90x90", "--view", "left", "--background", "white")
+    draw(half_sphere, tmp_path / "p.png", *options)
+    plain = read_png(tmp_path / "p.png")
+    pictures = []
+    for path in paths:
+        draw(path, tmp_path / "p.png", *options, "--pass=ssao")
+        pictures.append(read_png(tmp_path / "p.png"))
+    assert np.abs(pictures[0] - plain).mean() > 2
+    assert np.abs(pictures[0] - pictures[1]).mean() < 0.2 * np.abs(pictures[0] - plain).mean()
+
+
 @pytest.mark.parametrize("method", METHODS)
 def test_every_method_draws_the_surface(half_sphere, tmp_path, method):
     picture = tmp_path / "p.png"
@@ -325,6 +418,20 @@ def test_orbit_to_frames(half_sphere, tmp_path):
     assert report["pictures"] == [str(tmp_path / name) for name in names]
     from_front, _, from_back, _ = (covered(tmp_path / name) for name in names)
     assert flat_side(from_front) == "left" and flat_side(from_back) == "right"
+
+
+def test_nothing_is_cut_off_in_a_turn(half_sphere, tmp_path):
+    """Of what is flat from where the turn begins, and deep from its side."""
+
+    def flatten(points, _):
+        points[:, 0] *= 0.05
+
+    path = changed_sphere(half_sphere, tmp_path / "flat.vtp", flatten)
+    options = ("--size", "90x90", "--background", "white", "--radius", "0.02")
+    draw(path, tmp_path / "turn-%d.png", "--orbit", 4, "--view", "right", *options)
+    draw(path, tmp_path / "side.png", "--view", "front", *options)
+    turned, side = (covered(tmp_path / name).sum() for name in ("turn-1.png", "side.png"))
+    assert side > 100 and turned == pytest.approx(side, rel=0.2)
 
 
 @pytest.mark.parametrize("name", ["turn.gif", "turn.apng"])

@@ -115,6 +115,8 @@ def test_radius(session):
     assert session.covered().sum() > small
     session.press("-" * 6)
     assert session.covered().sum() == small
+    session.press("m" * len(METHODS) + "+" + "m" * len(METHODS) + "m")
+    assert session.viewer.actor.GetMapper().GetRadiusScale() == pytest.approx(1.25), "of a mapper that was there before"
 
 
 def test_passes(session):
@@ -160,6 +162,15 @@ def test_clip(session):
     session.press("ccc" + "m" * (len(METHODS) - 1))
     assert session.line("c").endswith("off")
     assert np.array_equal(session.covered(), whole)
+
+
+def test_clip_beside_six_planes(ball, capsys):
+    """More than a mapper takes are not asked of it."""
+    session = Session(ball, *["--clip=0,0,1"] * 6)
+    session.press("c")
+    assert session.line("c").endswith("x")
+    assert session.viewer.actor.GetMapper().GetNumberOfClippingPlanes() == 6
+    assert "Traceback" not in capsys.readouterr().err
 
 
 def test_view(session):
