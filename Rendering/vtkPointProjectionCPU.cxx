@@ -14,6 +14,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkType.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,31 +27,28 @@ namespace
 /// Points that are transformed together.
 constexpr int BlockSize = 256;
 
-/// Blocks that one thread goes through in order, and rows that one thread fetches points for.
-constexpr size_t ChunkBlocks = 32;
-constexpr int BandRows = 32;
+/// Blocks that one thread finds the tiles of at a time.
+constexpr vtkIdType ChunkBlocks = 32;
 
-/// Columns of a band for which points are fetched row by row.
-constexpr int StripColumns = 64;
-
-/// Chunks whose points are listed, before what is listed is added up: the lists stay small.
-constexpr int RoundChunks = 32;
+/// Pixels along the sides of a tile: one thread makes all of it, in memory that its cache holds.
+constexpr int TileSize = 64;
+constexpr int TilePixels = TileSize * TileSize;
 
 /// No point: above every key of MakeKey().
 constexpr std::uint64_t NoPoint = ~std::uint64_t(0);
 
-/// A number that orders points by depth and, where depths are the same, by place in the order.
-std::uint64_t MakeKey(float depth, unsigned int place)
+/// A number that orders points by depth and, where depths are the same, by index.
+std::uint64_t MakeKey(float depth, unsigned int index)
 {
   std::uint32_t bits;
   std::memcpy(&bits, &depth, sizeof(bits));
   // floats of one sign are ordered as their bits are
   const std::uint32_t negative = 0u - (bits >> 31);
   bits ^= negative | 0x80000000u;
-  return (std::uint64_t(bits) << 32) | place;
+  return (std::uint64_t(bits) << 32) | index;
 }
 
-unsigned int GetPlace(std::uint64_t key)
+unsigned int GetIndex(std::uint64_t key)
 {
   return static_cast<unsigned int>(key & 0xffffffffu);
 }
@@ -139,7 +137,6 @@ struct vtkPointProjectionCPU::Transform
   int NumberOfPlanes;
   float RadiusScale;
   float HalfSize[2]; // of the viewport
-  int Rectangle[4];  // x, y, width, height
   int Cull;
   bool Parallel;
 };
@@ -200,37 +197,71 @@ VTK_POINT_SURFACE_INLINE EyeNormal FindEyeNormal(const vtkPointProjectionCPU::Tr
     ofNormal * nz + ofViewer * (perspective * z + parallel) };
 }
 
-/// Where the points of a block fall: the pixel in the rectangle, -1 for those that are not seen.
+/// Where a point in eye coordinates falls in a rectangle (x, y, x end, y end); -1, -1 if it is not
+/// seen there.
+struct Place
+{
+  int Column, Row;
+};
+
+VTK_POINT_SURFACE_INLINE Place FindPlace(const vtkPointProjectionCPU::Transform& t,
+  const std::array<int, 4>& rectangle, float x, float y, float z)
+{
+  const auto left = static_cast<float>(rectangle[0]);
+  const auto bottom = static_cast<float>(rectangle[1]);
+  const auto right = static_cast<float>(rectangle[2]);
+  const auto top = static_cast<float>(rectangle[3]);
+  const float clipZ = t.Clip[2].Of(x, y, z);
+  const float w = t.Clip[3].Of(x, y, z);
+  const float windowX = t.HalfSize[0] * (t.Clip[0].Of(x, y, z) / w + 1.0f);
+  const float windowY = t.HalfSize[1] * (t.Clip[1].Of(x, y, z) / w + 1.0f);
+  const bool seen = (w > 0.0f) & (std::abs(clipZ) <= w) & (windowX >= left) & (windowY >= bottom) &
+    (windowX < right) & (windowY < top);
+  return { static_cast<int>(seen ? windowX : -1.0f), static_cast<int>(seen ? windowY : -1.0f) };
+}
+
+/// The pixels of the rectangle that the points of a block lie between, clipped or not: x, y of the
+/// first and of the last ones.
 VTK_POINT_SURFACE_CLONES
-void ProjectBlock(Block& block, const Block& normals, int count,
-  const vtkPointProjectionCPU::Transform& transform, int* pixels, float* depths)
+std::array<int, 4> FindBounds(Block& block, int count,
+  const vtkPointProjectionCPU::Transform& transform, const std::array<int, 4>& rectangle)
 {
   BringToEye(block, count, transform);
   const vtkPointProjectionCPU::Transform t = transform; // that no write below can change
-  const int x0 = t.Rectangle[0];
-  const int y0 = t.Rectangle[1];
-  const float left = static_cast<float>(t.Rectangle[0]);
-  const float bottom = static_cast<float>(t.Rectangle[1]);
-  const float right = static_cast<float>(t.Rectangle[0] + t.Rectangle[2]);
-  const float top = static_cast<float>(t.Rectangle[1] + t.Rectangle[3]);
-  const int width = t.Rectangle[2];
+  const std::array<int, 4> r = rectangle;
+  unsigned int firstColumn = VTK_UNSIGNED_INT_MAX;
+  unsigned int firstRow = VTK_UNSIGNED_INT_MAX;
+  int lastColumn = -1;
+  int lastRow = -1;
+  for (int i = 0; i < count; ++i)
+  {
+    const Place place = FindPlace(t, r, block.X[i], block.Y[i], block.Z[i]);
+    const auto column = static_cast<unsigned int>(place.Column); // the largest where not seen
+    const auto row = static_cast<unsigned int>(place.Row);
+    firstColumn = column < firstColumn ? column : firstColumn;
+    firstRow = row < firstRow ? row : firstRow;
+    lastColumn = place.Column > lastColumn ? place.Column : lastColumn;
+    lastRow = place.Row > lastRow ? place.Row : lastRow;
+  }
+  return { static_cast<int>(firstColumn), static_cast<int>(firstRow), lastColumn, lastRow };
+}
+
+/// Where the points of a block fall: the pixel of the tile that begins with the rectangle's row and
+/// with `firstColumn`, -1 for those that are not seen.
+VTK_POINT_SURFACE_CLONES
+void ProjectBlock(Block& block, const Block& normals, int count,
+  const vtkPointProjectionCPU::Transform& transform, const std::array<int, 4>& rectangle,
+  int firstColumn, int* pixels)
+{
+  BringToEye(block, count, transform);
+  const vtkPointProjectionCPU::Transform t = transform; // that no write below can change
+  const std::array<int, 4> r = rectangle;
   VTK_POINT_SURFACE_INDEPENDENT
   for (int i = 0; i < count; ++i)
   {
-    const float x = block.X[i];
-    const float y = block.Y[i];
-    const float z = block.Z[i];
-    depths[i] = -z;
-    const float clipZ = t.Clip[2].Of(x, y, z);
-    const float w = t.Clip[3].Of(x, y, z);
-    const float windowX = t.HalfSize[0] * (t.Clip[0].Of(x, y, z) / w + 1.0f);
-    const float windowY = t.HalfSize[1] * (t.Clip[1].Of(x, y, z) / w + 1.0f);
-    const bool seen = (w > 0.0f) & (std::abs(clipZ) <= w) & (windowX >= left) &
-      (windowY >= bottom) & (windowX < right) & (windowY < top);
-    const int column = static_cast<int>(seen ? windowX : left);
-    const int row = static_cast<int>(seen ? windowY : bottom);
-    const int pixel = (row - y0) * width + column - x0;
-    pixels[i] = seen ? pixel : -1;
+    const Place place = FindPlace(t, r, block.X[i], block.Y[i], block.Z[i]);
+    const int pixel = (place.Row - r[1]) * TileSize + place.Column - firstColumn;
+    pixels[i] = place.Row >= 0 ? pixel : -1;
   }
   for (int p = 0; p < t.NumberOfPlanes; ++p)
   {
@@ -260,24 +291,6 @@ void ProjectBlock(Block& block, const Block& normals, int count,
     const int facesViewer = toViewer + parallel * z >= 0.0f ? 1 : 0;
     const int pixel = pixels[i];
     pixels[i] = facesViewer == static_cast<int>(keepFront) ? pixel : -1;
-  }
-}
-
-/// Columns and rows of pixels of a rectangle.
-VTK_POINT_SURFACE_CLONES
-void SplitPixels(
-  const int* pixels, int count, const std::array<int, 4>& rectangle, int* columns, int* rows)
-{
-  const int x = rectangle[0];
-  const int y = rectangle[1];
-  const int width = rectangle[2] - x;
-  const double inverse = 1.0 / width;
-  VTK_POINT_SURFACE_INDEPENDENT
-  for (int i = 0; i < count; ++i)
-  {
-    const int row = static_cast<int>((pixels[i] + 0.5) * inverse); // a whole division is slow
-    rows[i] = y + row;
-    columns[i] = x + pixels[i] - row * width;
   }
 }
 
@@ -399,7 +412,6 @@ vtkPointProjectionCPU::Transform vtkPointProjectionCPU::GetTransform(
   {
     t.HalfSize[k] = 0.5f * view.Size[k];
   }
-  std::copy(view.Rectangle.begin(), view.Rectangle.end(), t.Rectangle);
   t.Cull = view.Cull;
   t.Parallel = view.IsParallel();
   return t;
@@ -501,54 +513,27 @@ struct vtkPointProjectionCPU::Part
       block = {};
     }
   }
-
-  /// Of points whose positions in eye coordinates and pixels are known.
-  void FetchFootprints(const vtkPointProjectionOptions& options, const unsigned int* ownPlaces,
-    int count, Footprints& points) const
-  {
-    this->LoadNormals(points.Normals, -1, count, ownPlaces);
-    for (int i = 0; i < count; ++i)
-    {
-      points.Radii[i] = this->GetRadius(ownPlaces[i]);
-    }
-    FindFootprints(points, count, this->View, options);
-  }
 };
 
 //------------------------------------------------------------------------------
 void vtkPointProjectionCPU::Draw(const std::vector<Cloud>& clouds,
   const vtkPointProjectionOptions& options, vtkSurfaceImage& image, vtkSurfaceImage* nearest)
 {
-  const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
-  const size_t size = static_cast<size_t>(r[2] - r[0]) * (r[3] - r[1]);
-  if (this->NearestSize < size)
-  {
-    this->Nearest.reset(new std::atomic<std::uint64_t>[size]);
-    this->NearestSize = size;
-  }
-  vtkSMPTools::For(0, static_cast<vtkIdType>(size),
-    [this](vtkIdType begin, vtkIdType end)
+  const std::vector<Part> parts = MakeParts(clouds);
+  const int tiles = this->FindTiles(parts, image.GetRectangle());
+  vtkSMPTools::For(0, tiles, 1,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType i = begin; i < end; ++i)
+      std::shared_ptr<Tile>& tile = this->Tiles.Local();
+      if (!tile)
       {
-        this->Nearest[i].store(NoPoint, std::memory_order_relaxed);
+        tile = std::make_shared<Tile>();
+      }
+      for (vtkIdType index = begin; index < end; ++index)
+      {
+        this->DrawTile(parts, options, static_cast<int>(index), *tile, image, nearest);
       }
     });
-  if (nearest)
-  {
-    this->SetLimits(*nearest, options.DepthTolerance);
-  }
-  const std::vector<Part> parts = MakeParts(clouds);
-  for (const Part& part : parts)
-  {
-    nearest ? this->FindFarthestPoints(part) : this->FindVisiblePoints(part);
-  }
-  this->Limits.resize(size);
-  this->FetchVisiblePoints(parts, options, image);
-  if (options.AveragePoints)
-  {
-    this->AveragePoints(parts, options, image);
-  }
 }
 
 std::vector<vtkPointProjectionCPU::Part> vtkPointProjectionCPU::MakeParts(
@@ -582,450 +567,469 @@ const vtkPointProjectionCPU::Part& vtkPointProjectionCPU::GetPart(
   return parts[i];
 }
 
-int vtkPointProjectionCPU::GetNumberOfBands(const Transform& transform)
+//------------------------------------------------------------------------------
+/// A block of points and the tiles that they may fall into: column, row of the first and last one.
+struct vtkPointProjectionCPU::Site
 {
-  return (transform.Rectangle[3] + BandRows - 1) / BandRows;
-}
-
-/// The points of a block that something is done with.
-struct vtkPointProjectionCPU::BlockPoints
-{
-  Block Positions;                    // in eye coordinates
-  unsigned int Places[BlockSize + 1]; // in the cloud
-  int Pixels[BlockSize];              // of the rectangle
-  float Depths[BlockSize];
-  int List[BlockSize]; // those that are wanted, in their order
-  int Count;           // of them
+  unsigned int Part, Block;
+  std::array<int, 4> Tiles;
 };
 
-/// Calls take(chunk, points) for the blocks of some chunks of a part, with their points that fall
-/// into the rectangle and that isWanted(pixel, depth, place) is true of; the blocks of a chunk in
-/// their order and from one thread. `place` is among the points of all clouds.
-template <typename IsWanted, typename Take>
-void vtkPointProjectionCPU::ForSeenBlocks(
-  const Part& part, int firstChunk, int endChunk, const IsWanted& isWanted, const Take& take)
+/// Lists for each tile the blocks of points that may fall into it, in their order; returns the
+/// number of tiles.
+int vtkPointProjectionCPU::FindTiles(
+  const std::vector<Part>& parts, const std::array<int, 4>& rectangle)
 {
-  const auto firstId = static_cast<unsigned int>(part.Source->FirstId);
-  const bool culls = part.View.Cull != vtkPointSurfaceView::NoCulling;
-  auto drawChunk = [&](vtkIdType chunk)
+  const int firstColumn = rectangle[0] / TileSize * TileSize; // where a block of an image begins
+  this->TileColumns = (rectangle[2] - firstColumn + TileSize - 1) / TileSize;
+  this->Sites.clear();
+  for (size_t part = 0; part < parts.size(); ++part)
   {
-    BlockPoints points;
-    Block normals;
-    const size_t end = std::min(part.Blocks.size(), static_cast<size_t>(chunk + 1) * ChunkBlocks);
-    for (size_t block = static_cast<size_t>(chunk) * ChunkBlocks; block < end; ++block)
+    for (size_t block = 0; block < parts[part].Blocks.size(); ++block)
     {
-      vtkIdType first;
-      const int size = part.ListPoints(block, points.Places, first);
-      part.LoadPositions(points.Positions, first, size, points.Places);
-      if (culls)
+      this->Sites.push_back(
+        { static_cast<unsigned int>(part), static_cast<unsigned int>(block), {} });
+    }
+  }
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Sites.size()), ChunkBlocks,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      Block positions;
+      unsigned int places[BlockSize + 1];
+      for (vtkIdType i = begin; i < end; ++i)
       {
-        part.LoadNormals(normals, first, size, points.Places);
+        Site& site = this->Sites[i];
+        const Part& part = parts[site.Part];
+        vtkIdType first;
+        const int count = part.ListPoints(site.Block, places, first);
+        part.LoadPositions(positions, first, count, places);
+        const std::array<int, 4> pixels = FindBounds(positions, count, part.View, rectangle);
+        const bool seen = pixels[2] >= 0;
+        for (int k = 0; k < 4; ++k)
+        {
+          const int origin = k % 2 == 0 ? firstColumn : rectangle[1];
+          site.Tiles[k] = seen ? (pixels[k] - origin) / TileSize : -(k / 2); // none: [0, -1]
+        }
       }
-      ProjectBlock(points.Positions, normals, size, part.View, points.Pixels, points.Depths);
-      // without branches that half of the points would take
-      int count = 0;
-      for (int i = 0; i < size; ++i)
+    });
+
+  const int tiles = this->TileColumns * ((rectangle[3] - rectangle[1] + TileSize - 1) / TileSize);
+  const auto forTiles = [this](const Site& site, const std::function<void(int)>& work)
+  {
+    for (int row = site.Tiles[1]; row <= site.Tiles[3]; ++row)
+    {
+      for (int column = site.Tiles[0]; column <= site.Tiles[2]; ++column)
       {
-        const int pixel = points.Pixels[i];
-        const bool isSeen = pixel >= 0;
-        points.List[count] = i;
-        count +=
-          isSeen & isWanted(isSeen ? pixel : 0, points.Depths[i], firstId + points.Places[i]);
-      }
-      points.Count = count;
-      if (count > 0)
-      {
-        take(static_cast<int>(chunk), points);
+        work(row * this->TileColumns + column);
       }
     }
   };
-  vtkSMPTools::For(firstChunk, endChunk, 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType chunk = begin; chunk < end; ++chunk)
-      {
-        drawChunk(chunk);
-      }
-    });
+  this->SiteEnds.assign(tiles, 0);
+  for (const Site& site : this->Sites)
+  {
+    forTiles(site, [this](int tile) { ++this->SiteEnds[tile]; });
+  }
+  size_t sum = 0;
+  for (size_t& end : this->SiteEnds)
+  {
+    const size_t begin = sum;
+    sum += end;
+    end = begin;
+  }
+  this->TileSites.resize(sum);
+  for (size_t i = 0; i < this->Sites.size(); ++i)
+  {
+    forTiles(this->Sites[i],
+      [this, i](int tile)
+      { this->TileSites[this->SiteEnds[tile]++] = static_cast<unsigned int>(i); });
+  }
+  return tiles;
 }
 
-void vtkPointProjectionCPU::SetLimits(vtkSurfaceImage& nearest, float tolerance)
+//------------------------------------------------------------------------------
+/// What a thread makes a tile of.
+struct vtkPointProjectionCPU::Tile
 {
-  const vtkSurfaceImage::Rectangle& r = nearest.GetRectangle();
-  this->Limits.clear();
-  for (int y = r[1]; y < r[3]; ++y)
+  struct Point
+  {
+    float X, Y, Z;      // in eye coordinates
+    int Pixel;          // of the tile
+    unsigned int Place; // in the cloud
+  };
+
+  /// From one plane of values to the next: not a power of two, which a cache has few places for.
+  static constexpr int Stride = TilePixels + 16;
+
+  int X, Y;                     // of its first pixel
+  std::array<int, 4> Rectangle; // of its pixels that are in the image's
+  std::vector<Point> Points;    // those that are seen in it, by parts, in the order of space
+  int Count = 0;                // of them
+  std::vector<int> PartEnds;    // in Points
+
+  // Of the pixels: the point that stands for each, its normal and depth, and the largest depth of
+  // what is looked for behind it; planes of an image, which are sums of so many points.
+  std::array<std::uint64_t, TilePixels> Nearest;
+  alignas(64) float FrontNormals[3][Stride] = {};
+  alignas(64) float FrontDepths[TilePixels] = {};
+  alignas(64) float Limits[TilePixels] = {};
+  alignas(64) float Values[vtkSurfaceImage::NumberOfPlanes][Stride] = {};
+  alignas(64) float Counts[TilePixels] = {};
+
+  void Append(const Block& positions, const int* pixels, const unsigned int* places, int count);
+  void FindNearest();
+  void FindFarthest(vtkSurfaceImage& nearest, float tolerance);
+  void Write(vtkSurfaceImage& image) const;
+
+  /// Calls work(part, begin, end) for the parts that have points, with where these are.
+  template <typename Work>
+  void ForParts(const std::vector<Part>& parts, const Work& work) const
+  {
+    int begin = 0;
+    for (size_t part = 0; part < parts.size(); ++part)
+    {
+      if (this->PartEnds[part] > begin)
+      {
+        work(parts[part], begin, this->PartEnds[part]);
+        begin = this->PartEnds[part];
+      }
+    }
+  }
+};
+
+/// Those of a block that fall into the tile.
+void vtkPointProjectionCPU::Tile::Append(
+  const Block& positions, const int* pixels, const unsigned int* places, int count)
+{
+  if (this->Points.size() < static_cast<size_t>(this->Count + BlockSize))
+  {
+    this->Points.resize(2 * static_cast<size_t>(this->Count + BlockSize));
+  }
+  // without branches that half of the points would take
+  for (int i = 0; i < count; ++i)
+  {
+    this->Points[this->Count] = { positions.X[i], positions.Y[i], positions.Z[i], pixels[i],
+      places[i] };
+    this->Count += pixels[i] >= 0;
+  }
+}
+
+void vtkPointProjectionCPU::Tile::FindNearest()
+{
+  this->Nearest.fill(NoPoint);
+  for (int i = 0; i < this->Count; ++i)
+  {
+    const Point& point = this->Points[i];
+    std::uint64_t& nearest = this->Nearest[point.Pixel];
+    nearest = std::min(nearest, MakeKey(-point.Z, i));
+  }
+}
+
+/// The same for the farthest points that are within a tolerance of the nearest ones.
+void vtkPointProjectionCPU::Tile::FindFarthest(vtkSurfaceImage& nearest, float tolerance)
+{
+  for (int y = this->Rectangle[1]; y < this->Rectangle[3]; ++y)
   {
     const float* radii = nearest.GetRow(y, vtkSurfaceImage::Radius);
     const float* depths = nearest.GetRow(y, vtkSurfaceImage::IntervalX);
-    for (int x = r[0]; x < r[2]; ++x)
+    float* limits = &this->Limits[(y - this->Y) * TileSize];
+    for (int x = this->Rectangle[0]; x < this->Rectangle[2]; ++x)
     {
-      this->Limits.push_back(radii[x] > 0.0f ? depths[x] + tolerance : -VTK_FLOAT_MAX);
+      limits[x - this->X] = radii[x] > 0.0f ? depths[x] + tolerance : -VTK_FLOAT_MAX;
+    }
+  }
+  this->Nearest.fill(NoPoint);
+  for (int i = 0; i < this->Count; ++i)
+  {
+    const Point& point = this->Points[i];
+    const std::uint64_t key = -point.Z <= this->Limits[point.Pixel] ? MakeKey(point.Z, i) : NoPoint;
+    std::uint64_t& farthest = this->Nearest[point.Pixel];
+    farthest = std::min(farthest, key);
+  }
+}
+
+/// Copies the planes to the image.
+void vtkPointProjectionCPU::Tile::Write(vtkSurfaceImage& image) const
+{
+  constexpr int Size = vtkSurfaceImage::BlockSize;
+  const int begin = this->Rectangle[0] / Size;
+  const int end = (this->Rectangle[2] + Size - 1) / Size;
+  for (int y = this->Rectangle[1]; y < this->Rectangle[3]; ++y)
+  {
+    const int first = (y - this->Y) * TileSize - this->X;
+    for (int block = begin; block < end; ++block)
+    {
+      const int x = block * Size;
+      const float* radii = &this->Values[vtkSurfaceImage::Radius][first + x];
+      if (!std::any_of(radii, radii + Size, [](float radius) { return radius > 0.0f; }))
+      {
+        image.ClearBlocks(y, block, block + 1);
+        continue;
+      }
+      image.GetOccupied(y)[block] = 1;
+      for (int k = 0; k < image.GetNumberOfPlanes(); ++k)
+      {
+        std::copy_n(&this->Values[k][first + x], Size, image.GetRow(y, k) + x);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointProjectionCPU::DrawTile(const std::vector<Part>& parts,
+  const vtkPointProjectionOptions& options, int index, Tile& tile, vtkSurfaceImage& image,
+  vtkSurfaceImage* nearest) const
+{
+  const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
+  tile.X = (r[0] / TileSize + index % this->TileColumns) * TileSize;
+  tile.Y = r[1] + index / this->TileColumns * TileSize;
+  tile.Rectangle = { std::max(tile.X, r[0]), tile.Y, std::min(tile.X + TileSize, r[2]),
+    std::min(tile.Y + TileSize, r[3]) };
+  std::fill_n(tile.Values[vtkSurfaceImage::Radius], TilePixels, 0.0f);
+  std::fill_n(tile.Counts, TilePixels, 0.0f);
+  this->ListPoints(parts, index, tile);
+  if (tile.Count > 0)
+  {
+    nearest ? tile.FindFarthest(*nearest, options.DepthTolerance) : tile.FindNearest();
+    tile.ForParts(parts,
+      [&](const Part& part, int begin, int end)
+      { FetchNearest(part, options, begin, end, tile, image); });
+  }
+  if (tile.Count > 0 && options.AveragePoints)
+  {
+    tile.ForParts(parts,
+      [&](const Part& part, int begin, int end)
+      { AddCompanions(part, options, begin, end, tile, image.HasColors()); });
+    Average(options, image.GetNumberOfPlanes(), tile);
+  }
+  tile.Write(image);
+}
+
+void vtkPointProjectionCPU::ListPoints(const std::vector<Part>& parts, int index, Tile& tile) const
+{
+  Block positions;
+  Block normals;
+  int pixels[BlockSize];
+  unsigned int places[BlockSize + 1];
+  tile.Count = 0;
+  tile.PartEnds.assign(parts.size(), 0);
+  for (size_t i = index == 0 ? 0 : this->SiteEnds[index - 1]; i < this->SiteEnds[index]; ++i)
+  {
+    const Site& site = this->Sites[this->TileSites[i]];
+    const Part& part = parts[site.Part];
+    vtkIdType first;
+    const int count = part.ListPoints(site.Block, places, first);
+    part.LoadPositions(positions, first, count, places);
+    if (part.View.Cull != vtkPointSurfaceView::NoCulling)
+    {
+      part.LoadNormals(normals, first, count, places);
+    }
+    ProjectBlock(positions, normals, count, part.View, tile.Rectangle, tile.X, pixels);
+    tile.Append(positions, pixels, places, count);
+    tile.PartEnds[site.Part] = tile.Count;
+  }
+}
+
+/// What listed points of a part leave in their pixels, and their places in the cloud.
+void vtkPointProjectionCPU::FetchFootprints(const Part& part,
+  const vtkPointProjectionOptions& options, const Tile& tile, const int* list, int count,
+  Footprints& points, unsigned int* places)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    const Tile::Point& point = tile.Points[list[i]];
+    points.Positions.X[i] = point.X;
+    points.Positions.Y[i] = point.Y;
+    points.Positions.Z[i] = point.Z;
+    points.Columns[i] = tile.X + point.Pixel % TileSize;
+    points.Rows[i] = tile.Y + point.Pixel / TileSize;
+    places[i] = point.Place;
+  }
+  part.LoadNormals(points.Normals, -1, count, places);
+  for (int i = 0; i < count; ++i)
+  {
+    points.Radii[i] = part.GetRadius(places[i]);
+  }
+  FindFootprints(points, count, part.View, options);
+}
+
+/// Fills the pixels that points [begin, end) of the tile, of one part, are the nearest ones of.
+void vtkPointProjectionCPU::FetchNearest(const Part& part, const vtkPointProjectionOptions& options,
+  int begin, int end, Tile& tile, vtkSurfaceImage& image)
+{
+  constexpr int Rows = BlockSize / TileSize; // that are fetched together
+  int list[BlockSize + 1];
+  unsigned int places[BlockSize];
+  Footprints points;
+  for (int first = 0; first < TilePixels; first += Rows * TileSize)
+  {
+    int count = 0;
+    for (int pixel = first; pixel < first + Rows * TileSize; ++pixel)
+    {
+      const unsigned int index = GetIndex(tile.Nearest[pixel]);
+      list[count] = static_cast<int>(index);
+      count += index - begin < static_cast<unsigned int>(end - begin);
+    }
+    FetchFootprints(part, options, tile, list, count, points, places);
+    for (int i = 0; i < count; ++i)
+    {
+      WriteFootprint(part, options, points, i, places[i], tile.Points[list[i]].Pixel, tile, image);
+    }
+  }
+}
+
+void vtkPointProjectionCPU::WriteFootprint(const Part& part,
+  const vtkPointProjectionOptions& options, const Footprints& points, int i, unsigned int place,
+  int pixel, Tile& tile, vtkSurfaceImage& image)
+{
+  const float depth = -points.Positions.Z[i];
+  tile.Values[vtkSurfaceImage::NormalX][pixel] = points.Normals.X[i];
+  tile.Values[vtkSurfaceImage::NormalY][pixel] = points.Normals.Y[i];
+  tile.Values[vtkSurfaceImage::NormalZ][pixel] = points.Normals.Z[i];
+  tile.Values[vtkSurfaceImage::Radius][pixel] = points.Radii[i];
+  tile.Values[vtkSurfaceImage::IntervalX][pixel] = depth;
+  tile.Values[vtkSurfaceImage::IntervalY][pixel] =
+    options.CenterDepths ? 0.0f : depth + points.Radii[i];
+  tile.Values[vtkSurfaceImage::CenterX][pixel] = points.CenterX[i];
+  tile.Values[vtkSurfaceImage::CenterY][pixel] = points.CenterY[i];
+  if (options.AveragePoints)
+  {
+    tile.FrontNormals[0][pixel] = points.Normals.X[i];
+    tile.FrontNormals[1][pixel] = points.Normals.Y[i];
+    tile.FrontNormals[2][pixel] = points.Normals.Z[i];
+    tile.FrontDepths[pixel] = depth;
+    tile.Limits[pixel] = depth + points.Reaches[i];
+    tile.Counts[pixel] = 1.0f;
+  }
+  if (image.HasIds())
+  {
+    image.GetIds(points.Rows[i])[points.Columns[i]] = part.GetId(place) + 1;
+  }
+  if (image.HasColors())
+  {
+    const std::array<float, 4> color = part.GetColor(place);
+    for (int k = 0; k < 4; ++k)
+    {
+      tile.Values[vtkSurfaceImage::Red + k][pixel] = color[k];
+    }
+  }
+}
+
+/// Adds those of the points [begin, end) of the tile, of one part, that share a pixel with a nearer
+/// one and are within its reach.
+void vtkPointProjectionCPU::AddCompanions(const Part& part,
+  const vtkPointProjectionOptions& options, int begin, int end, Tile& tile, bool colors)
+{
+  const bool twoSided = part.View.Cull == vtkPointSurfaceView::NoCulling;
+  int list[BlockSize + 1];
+  unsigned int places[BlockSize];
+  Footprints points;
+  for (int first = begin; first < end; first += BlockSize)
+  {
+    int count = 0;
+    for (int i = first; i < std::min(first + BlockSize, end); ++i)
+    {
+      const Tile::Point& point = tile.Points[i];
+      list[count] = i;
+      count += (GetIndex(tile.Nearest[point.Pixel]) != static_cast<unsigned int>(i)) &
+        (-point.Z <= tile.Limits[point.Pixel]);
+    }
+    FetchFootprints(part, options, tile, list, count, points, places);
+    for (int i = 0; i < count; ++i)
+    {
+      const int pixel = tile.Points[list[i]].Pixel;
+      const float alike = points.Normals.X[i] * tile.FrontNormals[0][pixel] +
+        points.Normals.Y[i] * tile.FrontNormals[1][pixel] +
+        points.Normals.Z[i] * tile.FrontNormals[2][pixel];
+      // it is turned as the nearest one is
+      const float side = twoSided & (alike < 0.0f) ? -1.0f : 1.0f;
+      tile.Values[vtkSurfaceImage::NormalX][pixel] += side * points.Normals.X[i];
+      tile.Values[vtkSurfaceImage::NormalY][pixel] += side * points.Normals.Y[i];
+      tile.Values[vtkSurfaceImage::NormalZ][pixel] += side * points.Normals.Z[i];
+      tile.Values[vtkSurfaceImage::Radius][pixel] += points.Radii[i];
+      tile.Values[vtkSurfaceImage::IntervalX][pixel] -= points.Positions.Z[i];
+      tile.Values[vtkSurfaceImage::CenterX][pixel] += points.CenterX[i];
+      tile.Values[vtkSurfaceImage::CenterY][pixel] += points.CenterY[i];
+      tile.Counts[pixel] += 1.0f;
+      if (colors)
+      {
+        const std::array<float, 4> color = part.GetColor(places[i]);
+        for (int k = 0; k < 4; ++k)
+        {
+          tile.Values[vtkSurfaceImage::Red + k][pixel] += color[k];
+        }
+      }
     }
   }
 }
 
 namespace
 {
-void KeepLeast(std::atomic<std::uint64_t>& least, std::uint64_t key)
+/// Of sums of normals.
+VTK_POINT_SURFACE_CLONES
+void AverageNormals(float* x, float* y, float* z, const float* frontX, const float* frontY,
+  const float* frontZ, const float* counts)
 {
-  std::uint64_t old = least.load(std::memory_order_relaxed);
-  while (key < old && !least.compare_exchange_weak(old, key, std::memory_order_relaxed))
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int i = 0; i < TilePixels; ++i)
   {
-  }
-}
-}
-
-void vtkPointProjectionCPU::FindVisiblePoints(const Part& part)
-{
-  const auto firstId = static_cast<unsigned int>(part.Source->FirstId);
-  std::atomic<std::uint64_t>* nearest = this->Nearest.get();
-  ForSeenBlocks(
-    part, 0, part.GetNumberOfChunks(),
-    [nearest](int pixel, float depth, unsigned int place)
-    { return MakeKey(depth, place) < nearest[pixel].load(std::memory_order_relaxed); },
-    [nearest, firstId](int, const BlockPoints& points)
-    {
-      for (int k = 0; k < points.Count; ++k)
-      {
-        const int i = points.List[k];
-        KeepLeast(nearest[points.Pixels[i]], MakeKey(points.Depths[i], firstId + points.Places[i]));
-      }
-    });
-}
-
-/// The same for the farthest points that are within the limits.
-void vtkPointProjectionCPU::FindFarthestPoints(const Part& part)
-{
-  const auto firstId = static_cast<unsigned int>(part.Source->FirstId);
-  const float* limits = this->Limits.data();
-  std::atomic<std::uint64_t>* nearest = this->Nearest.get();
-  ForSeenBlocks(
-    part, 0, part.GetNumberOfChunks(),
-    [limits](int pixel, float depth, unsigned int) { return depth <= limits[pixel]; },
-    [nearest, firstId](int, const BlockPoints& points)
-    {
-      for (int k = 0; k < points.Count; ++k)
-      {
-        const int i = points.List[k];
-        KeepLeast(
-          nearest[points.Pixels[i]], MakeKey(-points.Depths[i], firstId + points.Places[i]));
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
-void vtkPointProjectionCPU::FetchVisiblePoints(
-  const std::vector<Part>& parts, const vtkPointProjectionOptions& options, vtkSurfaceImage& image)
-{
-  const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
-  vtkSMPTools::For(0, GetNumberOfBands(parts.front().View), 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (int band = static_cast<int>(begin); band < end; ++band)
-      {
-        const int first = r[1] + band * BandRows;
-        const int last = std::min(first + BandRows, r[3]);
-        for (int y = first; y < last; ++y)
-        {
-          image.ClearBlocks(y, image.GetBlockBegin(), image.GetBlockEnd());
-        }
-        // in the order of space points of neighbouring rows are near each other
-        for (int x = r[0]; x < r[2]; x += StripColumns)
-        {
-          for (int y = first; y < last; ++y)
-          {
-            this->FetchPixels(parts, options, x, std::min(x + StripColumns, r[2]), y, image);
-          }
-        }
-      }
-    });
-}
-
-/// Columns [x, end) of a row.
-void vtkPointProjectionCPU::FetchPixels(const std::vector<Part>& parts,
-  const vtkPointProjectionOptions& options, int x, int end, int y, vtkSurfaceImage& image)
-{
-  const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
-  const size_t firstPixel = static_cast<size_t>(y - r[1]) * (r[2] - r[0]);
-  Footprints points;
-  unsigned int places[BlockSize]; // in the cloud
-  while (x < end)
-  {
-    // those of one cloud that follow each other
-    const Part* part = nullptr;
-    int count = 0;
-    for (; x < end && count < BlockSize; ++x)
-    {
-      const std::uint64_t key =
-        this->Nearest[firstPixel + x - r[0]].load(std::memory_order_relaxed);
-      if (key == NoPoint)
-      {
-        continue;
-      }
-      const Part* own = &GetPart(parts, GetPlace(key));
-      if (part && part != own)
-      {
-        break;
-      }
-      part = own;
-      points.Columns[count] = x;
-      points.Rows[count] = y;
-      places[count] = static_cast<unsigned int>(part->GetOwnPlace(GetPlace(key)));
-      ++count;
-    }
-    if (count > 0)
-    {
-      part->LoadPositions(points.Positions, -1, count, places);
-      BringToEye(points.Positions, count, part->View);
-      part->FetchFootprints(options, places, count, points);
-      this->WriteFootprints(*part, options, places, count, points, image);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-/// Points that share pixels of the rectangle with nearer ones, within reach of these.
-struct vtkPointProjectionCPU::Companions
-{
-  struct Point
-  {
-    int Pixel; // of the rectangle
-    float Values[vtkSurfaceImage::NumberOfShapePlanes];
-  };
-  std::vector<Point> Points;
-  std::vector<std::array<float, 4>> Colors; // where the layer is wanted
-};
-
-/// What the points of a band of rows add up to, in the pixels that have several.
-struct vtkPointProjectionCPU::BandSums
-{
-  struct Sum
-  {
-    int Pixel; // of the rectangle
-    float FrontNormal[3];
-    // of the planes of an image; in the place of IntervalY, which has no mean, their number
-    float Values[vtkSurfaceImage::NumberOfPlanes];
-  };
-  static constexpr int Count = vtkSurfaceImage::IntervalY;
-  std::vector<int> Places; // in Sums, of each pixel of the band; -1 for none
-  std::vector<Sum> Sums;
-};
-
-/// Averages the pixels, which hold their nearest points, with the companions of these. Companions
-/// are listed by chunk of points and band of rows: a list is written by one thread and read by
-/// one, and what is added up is so in one order, whatever the number of threads.
-void vtkPointProjectionCPU::AveragePoints(
-  const std::vector<Part>& parts, const vtkPointProjectionOptions& options, vtkSurfaceImage& image)
-{
-  const int bands = GetNumberOfBands(parts.front().View);
-  this->Sums.resize(bands);
-  this->Listed.resize(static_cast<size_t>(RoundChunks) * bands);
-  const auto forBands = [bands](const std::function<void(int)>& work)
-  {
-    vtkSMPTools::For(0, bands, 1,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType band = begin; band < end; ++band)
-        {
-          work(static_cast<int>(band));
-        }
-      });
-  };
-  const size_t bandSize = static_cast<size_t>(BandRows) * parts.front().View.Rectangle[2];
-  forBands(
-    [&](int band)
-    {
-      this->Sums[band].Sums.clear();
-      this->Sums[band].Places.assign(bandSize, -1);
-    });
-  for (const Part& part : parts)
-  {
-    for (int chunk = 0; chunk < part.GetNumberOfChunks(); chunk += RoundChunks)
-    {
-      this->ListCompanions(part, options, chunk, image);
-      forBands([&](int band) { this->AddCompanions(part, band, image); });
-    }
-  }
-  forBands([&](int band) { WriteAverages(this->Sums[band], options, image); });
-}
-
-void vtkPointProjectionCPU::ListCompanions(const Part& part,
-  const vtkPointProjectionOptions& options, int firstChunk, const vtkSurfaceImage& image)
-{
-  const int bands = GetNumberOfBands(part.View);
-  const int bottom = image.GetRectangle()[1];
-  for (Companions& companions : this->Listed)
-  {
-    companions.Points.clear();
-    companions.Colors.clear();
-  }
-  const std::atomic<std::uint64_t>* nearest = this->Nearest.get();
-  const float* limits = this->Limits.data();
-  ForSeenBlocks(
-    part, firstChunk, std::min(firstChunk + RoundChunks, part.GetNumberOfChunks()),
-    [nearest, limits](int pixel, float depth, unsigned int place)
-    {
-      const std::uint64_t key = nearest[pixel].load(std::memory_order_relaxed);
-      return (GetPlace(key) != place) & (depth <= limits[pixel]);
-    },
-    [&](int chunk, const BlockPoints& seen)
-    {
-      int pixels[BlockSize];
-      unsigned int places[BlockSize];
-      Footprints points;
-      for (int k = 0; k < seen.Count; ++k)
-      {
-        const int i = seen.List[k];
-        pixels[k] = seen.Pixels[i];
-        places[k] = seen.Places[i];
-        points.Positions.X[k] = seen.Positions.X[i];
-        points.Positions.Y[k] = seen.Positions.Y[i];
-        points.Positions.Z[k] = seen.Positions.Z[i];
-      }
-      SplitPixels(pixels, seen.Count, image.GetRectangle(), points.Columns, points.Rows);
-      part.FetchFootprints(options, places, seen.Count, points);
-      Companions* listed = &this->Listed[static_cast<size_t>(chunk - firstChunk) * bands];
-      for (int k = 0; k < seen.Count; ++k)
-      {
-        Companions& companions = listed[(points.Rows[k] - bottom) / BandRows];
-        companions.Points.push_back({ pixels[k],
-          { points.Normals.X[k], points.Normals.Y[k], points.Normals.Z[k], points.Radii[k],
-            -points.Positions.Z[k], 1.0f, points.CenterX[k], points.CenterY[k] } });
-        if (image.HasColors())
-        {
-          companions.Colors.push_back(part.GetColor(places[k]));
-        }
-      }
-    });
-}
-
-void vtkPointProjectionCPU::AddCompanions(const Part& part, int band, vtkSurfaceImage& image)
-{
-  const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
-  const int width = r[2] - r[0];
-  const int firstPixel = band * BandRows * width;
-  const size_t plane = image.GetPlaneStride();
-  const bool twoSided = part.View.Cull == vtkPointSurfaceView::NoCulling;
-  const size_t bands = this->Sums.size();
-  BandSums& bandSums = this->Sums[band];
-  for (size_t list = band; list < this->Listed.size(); list += bands)
-  {
-    const Companions& companions = this->Listed[list];
-    for (size_t i = 0; i < companions.Points.size(); ++i)
-    {
-      const Companions::Point& point = companions.Points[i];
-      int& index = bandSums.Places[point.Pixel - firstPixel];
-      if (index < 0)
-      {
-        index = static_cast<int>(bandSums.Sums.size());
-        bandSums.Sums.push_back({});
-        BandSums::Sum& sum = bandSums.Sums.back();
-        sum.Pixel = point.Pixel;
-        const int row = point.Pixel / width;
-        const float* pixel = image.GetRow(r[1] + row, 0) + r[0] + point.Pixel - row * width;
-        for (int k = 0; k < image.GetNumberOfPlanes(); ++k)
-        {
-          sum.Values[k] = pixel[k * plane];
-        }
-        sum.Values[BandSums::Count] = 1.0f;
-        std::copy_n(sum.Values, 3, sum.FrontNormal);
-      }
-      BandSums::Sum& sum = bandSums.Sums[index];
-      const float alike = point.Values[0] * sum.FrontNormal[0] +
-        point.Values[1] * sum.FrontNormal[1] + point.Values[2] * sum.FrontNormal[2];
-      // it is turned as the nearest one is
-      const float side = twoSided & (alike < 0.0f) ? -1.0f : 1.0f;
-      const float sides[vtkSurfaceImage::NumberOfShapePlanes] = { side, side, side, 1.0f, 1.0f,
-        1.0f, 1.0f, 1.0f };
-      for (int k = 0; k < vtkSurfaceImage::NumberOfShapePlanes; ++k)
-      {
-        sum.Values[k] += sides[k] * point.Values[k];
-      }
-      for (int k = 0; image.HasColors() && k < 4; ++k)
-      {
-        sum.Values[vtkSurfaceImage::Red + k] += companions.Colors[i][k];
-      }
-    }
-  }
-}
-
-void vtkPointProjectionCPU::WriteAverages(
-  const BandSums& bandSums, const vtkPointProjectionOptions& options, vtkSurfaceImage& image)
-{
-  const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
-  const int width = r[2] - r[0];
-  const size_t plane = image.GetPlaneStride();
-  const int planes = image.GetNumberOfPlanes();
-  for (const BandSums::Sum& sum : bandSums.Sums)
-  {
-    const float* n = sum.Values;
-    const float size = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    const float size = std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
     const bool cancels = size < 1e-6f;
-    const int row = sum.Pixel / width;
-    float* pixel = image.GetRow(r[1] + row, 0) + r[0] + sum.Pixel - row * width;
-    const float nearest = pixel[vtkSurfaceImage::IntervalX * plane];
-    for (int k = 0; k < 3; ++k)
-    {
-      pixel[k * plane] = cancels ? sum.FrontNormal[k] : n[k] / size;
-    }
-    for (int k = 3; k < planes; ++k)
-    {
-      const bool isInterval = k == vtkSurfaceImage::IntervalX || k == vtkSurfaceImage::IntervalY;
-      if (!isInterval)
-      {
-        pixel[k * plane] = sum.Values[k] / sum.Values[BandSums::Count];
-      }
-    }
-    if (options.CenterDepths)
-    {
-      const float mean = sum.Values[vtkSurfaceImage::IntervalX] / sum.Values[BandSums::Count];
-      pixel[vtkSurfaceImage::IntervalX * plane] = mean;
-      pixel[vtkSurfaceImage::IntervalY * plane] = mean - nearest;
-    }
+    const bool several = counts[i] > 1.0f;
+    const float meanX = cancels ? frontX[i] : x[i] / size;
+    const float meanY = cancels ? frontY[i] : y[i] / size;
+    const float meanZ = cancels ? frontZ[i] : z[i] / size;
+    x[i] = several ? meanX : x[i];
+    y[i] = several ? meanY : y[i];
+    z[i] = several ? meanZ : z[i];
   }
 }
 
-//------------------------------------------------------------------------------
-void vtkPointProjectionCPU::WriteFootprints(const Part& part,
-  const vtkPointProjectionOptions& options, const unsigned int* places, int count,
-  const Footprints& points, vtkSurfaceImage& image)
+VTK_POINT_SURFACE_CLONES
+void Divide(float* sums, const float* counts)
 {
-  const vtkSurfaceImage::Rectangle& r = image.GetRectangle();
-  const size_t plane = image.GetPlaneStride();
-  for (int i = 0; i < count; ++i)
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int i = 0; i < TilePixels; ++i)
   {
-    const int x = points.Columns[i];
-    const int y = points.Rows[i];
-    const float depth = -points.Positions.Z[i];
-    if (options.AveragePoints)
+    const float mean = sums[i] / counts[i];
+    sums[i] = counts[i] > 1.0f ? mean : sums[i];
+  }
+}
+
+/// How far the mean is behind the nearest point.
+VTK_POINT_SURFACE_CLONES
+void FindSpans(const float* means, const float* nearest, const float* counts, float* spans)
+{
+  VTK_POINT_SURFACE_INDEPENDENT
+  for (int i = 0; i < TilePixels; ++i)
+  {
+    const float span = means[i] - nearest[i];
+    spans[i] = counts[i] > 1.0f ? span : spans[i];
+  }
+}
+}
+
+/// Makes means of the sums in pixels of several points.
+void vtkPointProjectionCPU::Average(
+  const vtkPointProjectionOptions& options, int planes, Tile& tile)
+{
+  AverageNormals(tile.Values[vtkSurfaceImage::NormalX], tile.Values[vtkSurfaceImage::NormalY],
+    tile.Values[vtkSurfaceImage::NormalZ], tile.FrontNormals[0], tile.FrontNormals[1],
+    tile.FrontNormals[2], tile.Counts);
+  for (int k = vtkSurfaceImage::Radius; k < planes; ++k)
+  {
+    if (k != vtkSurfaceImage::IntervalX && k != vtkSurfaceImage::IntervalY)
     {
-      this->Limits[static_cast<size_t>(y - r[1]) * (r[2] - r[0]) + x - r[0]] =
-        depth + points.Reaches[i];
-    }
-    image.GetOccupied(y)[x / vtkSurfaceImage::BlockSize] = 1;
-    float* pixel = image.GetRow(y, 0) + x;
-    pixel[vtkSurfaceImage::NormalX * plane] = points.Normals.X[i];
-    pixel[vtkSurfaceImage::NormalY * plane] = points.Normals.Y[i];
-    pixel[vtkSurfaceImage::NormalZ * plane] = points.Normals.Z[i];
-    pixel[vtkSurfaceImage::Radius * plane] = points.Radii[i];
-    pixel[vtkSurfaceImage::IntervalX * plane] = depth;
-    pixel[vtkSurfaceImage::IntervalY * plane] =
-      options.CenterDepths ? 0.0f : depth + points.Radii[i];
-    pixel[vtkSurfaceImage::CenterX * plane] = points.CenterX[i];
-    pixel[vtkSurfaceImage::CenterY * plane] = points.CenterY[i];
-    if (image.HasIds())
-    {
-      image.GetIds(y)[x] = part.GetId(places[i]) + 1;
-    }
-    if (image.HasColors())
-    {
-      const std::array<float, 4> color = part.GetColor(places[i]);
-      for (int k = 0; k < 4; ++k)
-      {
-        pixel[(vtkSurfaceImage::Red + k) * plane] = color[k];
-      }
+      Divide(tile.Values[k], tile.Counts);
     }
   }
+  float* depths = tile.Values[vtkSurfaceImage::IntervalX];
+  if (!options.CenterDepths) // the interval is the nearest point's
+  {
+    std::copy_n(tile.FrontDepths, TilePixels, depths);
+    return;
+  }
+  Divide(depths, tile.Counts);
+  FindSpans(depths, tile.FrontDepths, tile.Counts, tile.Values[vtkSurfaceImage::IntervalY]);
 }
 
 std::array<float, 4> vtkPointProjectionCPU::GetColor(size_t place) const

@@ -3,21 +3,22 @@
  * @class   vtkPointProjectionCPU
  * @brief   the step from points to an image with at most one pixel a point, by the processor
  *
- * The same as vtkPointProjectionOpenGL, for contexts whose OpenGL is run by the processor too: all
- * points go through a minimum of depth and place for each pixel, threaded by vtkSMPTools, and only
- * those that stay visible have their normals, radii and colours fetched. Coordinates are taken
- * about the cloud's centre, so that those of 1e7 keep their detail. The result does not depend on
- * the number of threads.
+ * The same as vtkPointProjectionOpenGL, for contexts whose OpenGL is run by the processor too: the
+ * image is made tile by tile, each from the blocks of points that may fall into it, so that what is
+ * worked with stays in a cache and threads share nothing. Points go through a minimum of depth and
+ * place for each pixel, and only those that stay visible, or are averaged with these, have their
+ * normals, radii and colours fetched. Coordinates are taken about the cloud's centre, so that those
+ * of 1e7 keep their detail. The result does not depend on the number of threads.
  */
 #ifndef vtkPointProjectionCPU_h
 #define vtkPointProjectionCPU_h
 
 #include "vtkPointSurfaceView.h"
+#include "vtkSMPThreadLocal.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -97,35 +98,27 @@ private:
   vtkPointProjectionCPU(const vtkPointProjectionCPU&) = delete;
   void operator=(const vtkPointProjectionCPU&) = delete;
 
-  /// A cloud that is drawn, as ForSeenBlocks() goes through it.
-  struct Part;
-  struct BlockPoints;
-  struct Companions;
-  struct BandSums;
+  struct Part; ///< a cloud that is drawn
+  struct Site; ///< where a block of points falls
+  struct Tile; ///< what a thread works on
 
   Transform GetTransform(const vtkPointSurfaceView& view) const;
   static std::vector<Part> MakeParts(const std::vector<Cloud>& clouds);
   static const Part& GetPart(const std::vector<Part>& parts, unsigned int place);
-  template <typename IsWanted, typename Take>
-  static void ForSeenBlocks(
-    const Part& part, int firstChunk, int endChunk, const IsWanted& isWanted, const Take& take);
-  void SetLimits(vtkSurfaceImage& nearest, float tolerance);
-  void FindVisiblePoints(const Part& part);
-  void FindFarthestPoints(const Part& part);
-  void FetchVisiblePoints(const std::vector<Part>& parts, const vtkPointProjectionOptions& options,
+  int FindTiles(const std::vector<Part>& parts, const std::array<int, 4>& rectangle);
+  void DrawTile(const std::vector<Part>& parts, const vtkPointProjectionOptions& options, int index,
+    Tile& tile, vtkSurfaceImage& image, vtkSurfaceImage* nearest) const;
+  void ListPoints(const std::vector<Part>& parts, int index, Tile& tile) const;
+  static void FetchFootprints(const Part& part, const vtkPointProjectionOptions& options,
+    const Tile& tile, const int* list, int count, Footprints& points, unsigned int* places);
+  static void FetchNearest(const Part& part, const vtkPointProjectionOptions& options, int begin,
+    int end, Tile& tile, vtkSurfaceImage& image);
+  static void WriteFootprint(const Part& part, const vtkPointProjectionOptions& options,
+    const Footprints& points, int i, unsigned int place, int pixel, Tile& tile,
     vtkSurfaceImage& image);
-  void FetchPixels(const std::vector<Part>& parts, const vtkPointProjectionOptions& options, int x,
-    int end, int y, vtkSurfaceImage& image);
-  void AveragePoints(const std::vector<Part>& parts, const vtkPointProjectionOptions& options,
-    vtkSurfaceImage& image);
-  void ListCompanions(const Part& part, const vtkPointProjectionOptions& options, int firstChunk,
-    const vtkSurfaceImage& image);
-  void AddCompanions(const Part& part, int band, vtkSurfaceImage& image);
-  static void WriteAverages(
-    const BandSums& bandSums, const vtkPointProjectionOptions& options, vtkSurfaceImage& image);
-  void WriteFootprints(const Part& part, const vtkPointProjectionOptions& options,
-    const unsigned int* places, int count, const Footprints& points, vtkSurfaceImage& image);
-  static int GetNumberOfBands(const Transform& transform);
+  static void AddCompanions(const Part& part, const vtkPointProjectionOptions& options, int begin,
+    int end, Tile& tile, bool colors);
+  static void Average(const vtkPointProjectionOptions& options, int planes, Tile& tile);
 
   const vtkDrawablePoints* Points = nullptr;
   vtkSmartPointer<vtkDataArray> Positions; // floats or doubles
@@ -140,15 +133,11 @@ private:
   vtkMTimeType ColorsTime = 0;
   std::array<double, 3> Origin{}; // of the coordinates that are worked with
 
-  // Of each pixel of the rectangle the depth and the place of the nearest point, see
-  // vtkPointProjectionCPU.cxx.
-  std::unique_ptr<std::atomic<std::uint64_t>[]> Nearest;
-  size_t NearestSize = 0;
-  std::vector<float>
-    Limits; // of each pixel, the largest depth of what is looked for behind its nearest point
-  // For each chunk of points of a round and band of rows, in the order of the points.
-  std::vector<Companions> Listed;
-  std::vector<BandSums> Sums; // of each band
+  int TileColumns = 0;
+  std::vector<Site> Sites;                        // of all blocks of points, in their order
+  std::vector<unsigned int> TileSites;            // indices of those of each tile
+  std::vector<size_t> SiteEnds;                   // where each tile's end
+  vtkSMPThreadLocal<std::shared_ptr<Tile>> Tiles; // kept, so that no frame makes them anew
 };
 
 /**
