@@ -705,20 +705,22 @@ void vtkPointProjectionCPU::Tile::Append(
     this->Points.resize(2 * static_cast<size_t>(this->Count + BlockSize));
   }
   // without branches that half of the points would take
+  Point* to = &this->Points[this->Count];
   for (int i = 0; i < count; ++i)
   {
-    this->Points[this->Count] = { positions.X[i], positions.Y[i], positions.Z[i], pixels[i],
-      places[i] };
-    this->Count += pixels[i] >= 0;
+    *to = { positions.X[i], positions.Y[i], positions.Z[i], pixels[i], places[i] };
+    to += pixels[i] >= 0;
   }
+  this->Count = static_cast<int>(to - this->Points.data());
 }
 
 void vtkPointProjectionCPU::Tile::FindNearest()
 {
   this->Nearest.fill(NoPoint);
+  const Point* points = this->Points.data();
   for (int i = 0; i < this->Count; ++i)
   {
-    const Point& point = this->Points[i];
+    const Point& point = points[i];
     std::uint64_t& nearest = this->Nearest[point.Pixel];
     nearest = std::min(nearest, MakeKey(-point.Z, i));
   }
@@ -768,7 +770,7 @@ void vtkPointProjectionCPU::Tile::Write(vtkSurfaceImage& image) const
       image.GetOccupied(y)[block] = 1;
       for (int k = 0; k < image.GetNumberOfPlanes(); ++k)
       {
-        std::copy_n(&this->Values[k][first + x], Size, image.GetRow(y, k) + x);
+        std::memcpy(image.GetRow(y, k) + x, &this->Values[k][first + x], Size * sizeof(float));
       }
     }
   }
