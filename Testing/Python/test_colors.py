@@ -156,6 +156,12 @@ def checkers():
     return texture
 
 
+def in_srgb():
+    texture = checkers()
+    texture.UseSRGBColorSpaceOn()
+    return texture
+
+
 def wrapped_floats():
     """Grey values that a table maps, mirrored beyond the unit square, turned and scaled."""
     y, x = np.indices((48, 64))
@@ -218,6 +224,7 @@ CASES = {
     "texture": textured,
     "texture under colours": lambda s: (use_scalars(s), textured(s)),
     "texture under interpolated colours": textured_and_interpolated,
+    "texture in sRGB under colours": lambda s: (use_scalars(s), textured(s, in_srgb())),
     "texture of floats under RGBA": lambda s: (direct(4, np.uint8)(s), textured(s, wrapped_floats())),
     "shader replacement": replaced,
 }
@@ -226,6 +233,7 @@ SHARP = {
     "beyond the range": 5,
     "texture": 6,
     "texture under colours": 6,
+    "texture in sRGB under colours": 6,
     "texture under interpolated colours": 6,
     "lookup table": 3.5,
     "by name": 3.5,

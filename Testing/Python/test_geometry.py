@@ -10,13 +10,17 @@ from scenes import (
     assert_baseline,
     assert_same_surface,
     cloud_and_mesh,
+    covered_by_both,
     difference,
+    still,
     torus_cloud,
     variants,
 )
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkTransform
+
+from pointsurface import vtkDirectPointMapper
 
 CENTER = np.array([1e7, -2e7, 5e6])
 CENTIMETRE = 0.01
@@ -146,6 +150,23 @@ def test_where_the_mesh_is(mapper_class, backend, name):
     cloud, mesh = cloud_and_mesh(mapper_class, CASES[name])
     getattr(cloud.mapper, f"SetBackendTo{backend}")()
     assert_same_surface(cloud, mesh)
+
+
+@pytest.mark.parametrize("mapper_class, backend, name", variants(["front faces culled"]))
+def test_the_inside_is_seen(mapper_class, backend, name):
+    """Without what faces the viewer the far side is seen, from within."""
+    if mapper_class is vtkDirectPointMapper:
+        pytest.skip("knows no sides")
+
+    def cull(scene):
+        scene.actor.GetProperty().FrontfaceCullingOn()
+
+    cloud, mesh = cloud_and_mesh(mapper_class, cull)
+    getattr(cloud.mapper, f"SetBackendTo{backend}")()
+    assert_same_surface(cloud, mesh, 6)
+    both = covered_by_both(cloud, mesh)
+    assert np.median(np.abs(cloud.depth() - mesh.depth())[both]) < 1e-3
+    assert np.median((cloud.depth() - still(mapper_class).depth())[both]) > 0.02, "it is farther than the near side"
 
 
 def test_the_cases_differ():

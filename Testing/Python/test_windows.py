@@ -17,8 +17,10 @@ from scenes import (
     torus_cloud,
     variants,
 )
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkActor, vtkHardwareSelector, vtkPolyDataMapper, vtkRenderer
 
 from pointsurface import rendering, vtkDirectPointMapper, vtkPullPushMapper, vtkSurfaceSplatMapper
 
@@ -175,6 +177,25 @@ def test_release_and_render_again(mapper_class, backend):
     scene.actor.ReleaseGraphicsResources(scene.window)
     scene.mapper.SetSupersampling(1)
     assert np.array_equal(scene.color(), first)
+
+
+@pytest.mark.parametrize("mapper_class", [vtkPullPushMapper, vtkSurfaceSplatMapper])
+def test_release_of_what_is_thinned_and_selected(mapper_class):
+    scene = Scene(mapper_class, torus_cloud(60_000), (50, 50))
+    scene.mapper.SetBackendToOpenGL()
+
+    def selected():
+        selector = vtkHardwareSelector()
+        selector.SetRenderer(scene.renderer)
+        selector.SetFieldAssociation(vtkDataObject.FIELD_ASSOCIATION_POINTS)
+        selector.SetArea(0, 0, 49, 49)
+        return vtk_to_numpy(selector.Select().GetNode(0).GetSelectionList())
+
+    picture, ids = scene.color(), selected()
+    assert scene.mapper.GetLastFramePointsDrawn() < 30_000 and len(ids) > 200
+    scene.window.Finalize()
+    assert np.array_equal(scene.color(), picture)
+    assert np.array_equal(selected(), ids)
 
 
 @pytest.mark.parametrize("mapper_class", MAPPERS)
