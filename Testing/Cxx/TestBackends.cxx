@@ -269,6 +269,9 @@ void ComparePictures()
         s.Cloud->GetPointData()->GetNormals()->SetTuple3(i, 0.0, 0.0, 0.0);
       }
     });
+  Compare(
+    "normals unknown, parallel", [](Scene& s) { s.Cloud->GetPointData()->GetNormals()->Fill(0.0); },
+    [](Scene& s) { s.Renderer->GetActiveCamera()->ParallelProjectionOn(); });
   vtkObject::GlobalWarningDisplayOn();
   Compare(
     "within the cloud", [](Scene&) {},

@@ -338,6 +338,33 @@ void CheckBlocks(const Kind& kind)
     name + ": hidden points are not drawn");
 }
 
+/// Points that are left out of a block take none from it, or from another one.
+void CheckPointsLeftOut(const Kind& kind)
+{
+  vtkNew<vtkMultiBlockDataSet> tree;
+  for (unsigned int i : { 0, 1 })
+  {
+    auto ball = MakeBall(kind, i == 0 ? 1.5 : -1.5, 0.0, 0.0);
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    for (vtkIdType id = 0; id < PointsOfBall; ++id)
+    {
+      const bool hidden = i == 0 && ball->GetPoint(id)[2] < 0.0; // which is not seen
+      ghosts->InsertNextValue(hidden ? vtkDataSetAttributes::HIDDENPOINT : 0);
+    }
+    ball->GetPointData()->AddArray(ghosts);
+    tree->SetBlock(i, ball);
+  }
+  Scene scene(kind, tree);
+  scene.Mapper->ScalarVisibilityOff();
+  scene.Mapper->SetBlockVisibility(2, false);
+  scene.Render();
+  check(!scene.IsEmpty(1.5, 0.0) && scene.IsEmpty(-1.5, 0.0),
+    kind.Name + ": a hidden block beside one with points left out");
+  check(scene.Mapper->GetLastFramePointsDrawn() == PointsOfBall / 2,
+    kind.Name + ": of which all others are drawn");
+}
+
 /// A translucent ball before an opaque one: each as it looks alone, one over the other.
 void CheckOpacity(const Kind& kind)
 {
@@ -376,6 +403,12 @@ void CheckOpacity(const Kind& kind)
   check(mapper->GetBlockOpacity(2) == 0.4 && mapper->GetBlockOpacity(3) == 1.0,
     name + ": opacities are told");
 
+  // an actor that is drawn with the opaque ones has all its blocks there
+  scene.Actor->ForceOpaqueOn();
+  scene.Render();
+  check(!scene.IsEmpty(1.3, 0.0), name + ": a translucent block of an actor that is forced opaque");
+  scene.Actor->ForceOpaqueOff();
+
   // a translucent property, and an opaque block all the same
   scene.Actor->GetProperty()->SetOpacity(0.5);
   mapper->RemoveBlockOpacities();
@@ -384,6 +417,35 @@ void CheckOpacity(const Kind& kind)
   check(scene.At(0.3, 0.0) == front, name + ": an opaque block of a translucent actor");
   check(scene.At(-2.0, 0.0)[2] > 100 && scene.At(-2.0, 0.0)[2] < 140,
     name + ": its other blocks are translucent");
+}
+
+/// A block's own opacity leaves the alpha of another one's colours as it is.
+void CheckAlphaOfColors(const Kind& kind)
+{
+  auto tree = MakeBalls(kind);
+  auto* left =
+    vtkPointSet::SafeDownCast(vtkCompositeDataDisplayAttributes::DataObjectFromIndex(Left, tree));
+  Pixel opaque = {};
+  for (const int alpha : { 255, 102 })
+  {
+    vtkNew<vtkUnsignedCharArray> colors;
+    colors->SetNumberOfComponents(4);
+    for (vtkIdType i = 0; i < left->GetNumberOfPoints(); ++i)
+    {
+      colors->InsertNextTuple4(255, 150, 0, alpha);
+    }
+    left->GetPointData()->SetScalars(colors);
+    Scene scene(kind, tree);
+    scene.Mapper->SetBlockOpacity(Right, 0.6);
+    scene.Render();
+    const Pixel seen = scene.At(-1.5, 0.0);
+    opaque = alpha == 255 ? seen : opaque;
+    const double share = alpha / 255.0;
+    check(opaque[0] > 200 && std::abs(seen[0] - share * opaque[0]) < 3.0 &&
+        std::abs(seen[1] - share * opaque[1]) < 3.0,
+      kind.Name + ": a block with an alpha of " + std::to_string(alpha) + " shows " +
+        std::to_string(seen[0]) + ", " + std::to_string(seen[1]));
+  }
 }
 
 void CheckFaults(const Kind& kind)
@@ -449,7 +511,9 @@ int TestCompositePoints(int, char*[])
       CheckKindsOfInput(kind);
       CheckCellColors(kind);
       CheckBlocks(kind);
+      CheckPointsLeftOut(kind);
       CheckOpacity(kind);
+      CheckAlphaOfColors(kind);
       CheckFaults(kind);
     }
   }

@@ -12,6 +12,7 @@
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPlane.h"
 #include "vtkPointSurfacePass.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -19,9 +20,11 @@
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
 #include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <functional>
@@ -441,6 +444,43 @@ void CheckRectangles(const Kind& kind)
         std::to_string(own[2]) + " columns");
   }
 }
+
+/// Balls side by side, of which one has code of a user's in its shader, one is cut by a plane, and
+/// one is drawn by another mapper: each looks as by itself, and what does not fit is not joined.
+void CheckWhatDoesNotFit(const Kind& kind)
+{
+  const std::string& name = kind.Name;
+  const auto ball = kind.Class.MakeInput(MakeSphereCloud(NumberOfPoints));
+  const auto classes = GetMapperClasses();
+  const auto other = std::find_if(classes.begin(), classes.end(),
+    [&](const MapperClass& c) { return c.UsesRadii && c.Name != kind.Class.Name; });
+  Scene joint(kind, true);
+  Scene apart(kind, false);
+  for (Scene* scene : { &joint, &apart })
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      scene->Add(i < 3 ? ball : MakeSphereCloud(NumberOfPoints))->ScalarVisibilityOff();
+      scene->Actors[i]->SetPosition(2.2 * (i - 1.5), 0.0, 0.0);
+    }
+    scene->Actors[1]->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true,
+      "//VTK::Light::Impl\n  fragOutput0.rgb = fragOutput0.bgr * vec3(0.2, 1.0, 0.2);\n", false);
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(1.1, 0.0, 0.0);
+    scene->Mappers[2]->AddClippingPlane(plane);
+    auto mapper = other->Make();
+    mapper->SetBackend(kind.Backend);
+    mapper->SetInputData(scene->Mappers[3]->GetInput());
+    scene->Mappers[3] = mapper;
+    scene->Actors[3]->SetMapper(mapper);
+    scene->Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 16.0);
+  }
+  check.AtMost(GetDifference(joint.Render(), apart.Render()), kind.SideBySideDifference,
+    name + ", what does not fit: share of pixels that differ from the clouds' by themselves");
+  check(joint.Pass->GetLastFrameJointClouds() == 2,
+    name + ": one that is cut, and one of another mapper, are not joined");
+  check(joint.Pass->GetLastFrameShadings() == 2, name + ": a shader of a user's is of its cloud");
+}
 }
 
 int TestJointSurface(int, char*[])
@@ -467,6 +507,7 @@ int TestJointSurface(int, char*[])
       CompareRims(kind);
       CheckCompany(kind);
       CheckRectangles(kind);
+      CheckWhatDoesNotFit(kind);
     }
     ++count;
   }

@@ -348,6 +348,51 @@ void CheckCells(Scene& scene)
   check(wrong == 0, scene.Name + "cells are those of the points: " + std::to_string(wrong));
 }
 
+/// Arrays of the cells tell what a cell is called, and of which block it is.
+void CheckArraysOfCells(Scene& scene)
+{
+  for (vtkPolyData* cloud : scene.Clouds)
+  {
+    vtkNew<vtkIdTypeArray> ids;
+    ids->SetName("cells");
+    vtkNew<vtkUnsignedIntArray> blocks;
+    blocks->SetName("blocks");
+    for (vtkIdType cell = 0; cell < scene.PointsOfBall; ++cell)
+    {
+      ids->InsertNextValue(50000000 + cell);
+      blocks->InsertNextValue(20 + cell % 2);
+    }
+    cloud->GetCellData()->AddArray(ids);
+    cloud->GetCellData()->AddArray(blocks);
+  }
+  for (vtkPointSurfaceMapper* mapper : { scene.Mapper.Get(), scene.OtherMapper.Get() })
+  {
+    mapper->SetCellIdArrayName("cells");
+    mapper->SetCompositeIdArrayName("blocks");
+  }
+  scene.Window->Render();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Renderer);
+  selector->SetArea(0, 0, Size - 1, Size - 1);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  selector->CaptureBuffers();
+  int seen = 0;
+  int wrong = 0;
+  for (unsigned int x = 0; x < Size; ++x)
+  {
+    const unsigned int position[2] = { x, static_cast<unsigned int>(0.65 * Size) };
+    const auto info = selector->GetPixelInformation(position);
+    const vtkIdType cell = info.AttributeID - 50000000;
+    seen += info.Valid;
+    wrong += info.Valid &&
+      (cell < 0 || cell >= scene.PointsOfBall ||
+        info.CompositeID != 20 + static_cast<unsigned int>(cell % 2));
+  }
+  check(seen > 100 && wrong == 0,
+    scene.Name + "cells and blocks have the names of arrays: " + std::to_string(wrong) + " of " +
+      std::to_string(seen) + " have not");
+}
+
 struct Sheet
 {
   double Center[3];
@@ -519,6 +564,7 @@ void CheckMapper(const MapperClass& mapperClass, int backend)
   CheckPickability(scene);
   CheckPickers(scene);
   CheckCells(scene);
+  CheckArraysOfCells(scene);
 }
 }
 
