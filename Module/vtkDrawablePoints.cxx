@@ -488,6 +488,7 @@ void vtkDrawablePoints::SelectSamplingDistance(const RadiusSource& source, vtkAl
     caller->SetProgressText(nullptr);
     if (caller->GetAbortExecute())
     {
+      this->Aborted = true;
       this->Say("The estimate of the sampling distance was aborted; single pixels are drawn. Set a "
                 "radius.");
     }

@@ -139,6 +139,22 @@ def test_nothing_is_estimated_but_the_sampling_distance():
     assert len(texts) - texts.count(None) == count
 
 
+def test_an_aborted_estimate_is_made_in_the_next_frame():
+    texts = []
+
+    def abort(mapper):
+        mapper.AddObserver("WarningEvent", lambda *_: texts.append("warning"))
+        mapper.tag = mapper.AddObserver("ProgressEvent", lambda *_: mapper.AbortExecuteOn())
+
+    mapper = draw(positions(grid()), abort)
+    assert texts == ["warning"]
+    assert cells_along(mapper) < 0.01, "single pixels"
+    mapper.RemoveObserver(mapper.tag)
+    mapper.window.Render()
+    assert texts == ["warning"]
+    assert cells_along(mapper) == pytest.approx(0.02, rel=0.02)
+
+
 def test_resolution_depends_on_the_points_alone():
     """Not on units, another actor, or the clipping range; the paper's equations do."""
 
