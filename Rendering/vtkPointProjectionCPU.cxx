@@ -674,6 +674,7 @@ struct vtkPointProjectionCPU::Tile
   alignas(64) float Limits[TilePixels] = {};
   alignas(64) float Values[vtkSurfaceImage::NumberOfPlanes][Stride] = {};
   alignas(64) float Counts[TilePixels] = {};
+  std::array<bool, TileSize> HasCompanions; // of the rows: whether some are sums of several points
 
   void Append(const Block& positions, const int* pixels, const unsigned int* places, int count);
   void FindNearest();
@@ -762,7 +763,12 @@ void vtkPointProjectionCPU::Tile::Write(vtkSurfaceImage& image) const
     {
       const int x = block * Size;
       const float* radii = &this->Values[vtkSurfaceImage::Radius][first + x];
-      if (!std::any_of(radii, radii + Size, [](float radius) { return radius > 0.0f; }))
+      int valid = 0;
+      for (int i = 0; i < Size; ++i) // on all lanes
+      {
+        valid |= radii[i] > 0.0f ? 1 : 0;
+      }
+      if (valid == 0)
       {
         image.ClearBlocks(y, block, block + 1);
         continue;
@@ -788,6 +794,7 @@ void vtkPointProjectionCPU::DrawTile(const std::vector<Part>& parts,
     std::min(tile.Y + TileSize, r[3]) };
   std::fill_n(tile.Values[vtkSurfaceImage::Radius], TilePixels, 0.0f);
   std::fill_n(tile.Counts, TilePixels, 0.0f);
+  tile.HasCompanions.fill(false);
   this->ListPoints(parts, index, tile);
   if (tile.Count > 0)
   {
@@ -952,6 +959,7 @@ void vtkPointProjectionCPU::AddCompanions(const Part& part,
       tile.Values[vtkSurfaceImage::CenterX][pixel] += points.CenterX[i];
       tile.Values[vtkSurfaceImage::CenterY][pixel] += points.CenterY[i];
       tile.Counts[pixel] += 1.0f;
+      tile.HasCompanions[pixel / TileSize] = true;
       if (colors)
       {
         const std::array<float, 4> color = part.GetColor(places[i]);
@@ -966,13 +974,13 @@ void vtkPointProjectionCPU::AddCompanions(const Part& part,
 
 namespace
 {
-/// Of sums of normals.
+/// Of sums of normals, in a row of a tile.
 VTK_POINT_SURFACE_CLONES
 void AverageNormals(float* x, float* y, float* z, const float* frontX, const float* frontY,
   const float* frontZ, const float* counts)
 {
   VTK_POINT_SURFACE_INDEPENDENT
-  for (int i = 0; i < TilePixels; ++i)
+  for (int i = 0; i < TileSize; ++i)
   {
     const float size = std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
     const bool cancels = size < 1e-6f;
@@ -990,19 +998,19 @@ VTK_POINT_SURFACE_CLONES
 void Divide(float* sums, const float* counts)
 {
   VTK_POINT_SURFACE_INDEPENDENT
-  for (int i = 0; i < TilePixels; ++i)
+  for (int i = 0; i < TileSize; ++i)
   {
     const float mean = sums[i] / counts[i];
     sums[i] = counts[i] > 1.0f ? mean : sums[i];
   }
 }
 
-/// How far the mean is behind the nearest point.
+/// How far the means are behind the nearest points.
 VTK_POINT_SURFACE_CLONES
 void FindSpans(const float* means, const float* nearest, const float* counts, float* spans)
 {
   VTK_POINT_SURFACE_INDEPENDENT
-  for (int i = 0; i < TilePixels; ++i)
+  for (int i = 0; i < TileSize; ++i)
   {
     const float span = means[i] - nearest[i];
     spans[i] = counts[i] > 1.0f ? span : spans[i];
@@ -1014,24 +1022,35 @@ void FindSpans(const float* means, const float* nearest, const float* counts, fl
 void vtkPointProjectionCPU::Average(
   const vtkPointProjectionOptions& options, int planes, Tile& tile)
 {
-  AverageNormals(tile.Values[vtkSurfaceImage::NormalX], tile.Values[vtkSurfaceImage::NormalY],
-    tile.Values[vtkSurfaceImage::NormalZ], tile.FrontNormals[0], tile.FrontNormals[1],
-    tile.FrontNormals[2], tile.Counts);
-  for (int k = vtkSurfaceImage::Radius; k < planes; ++k)
+  for (int row = 0; row < TileSize; ++row)
   {
-    if (k != vtkSurfaceImage::IntervalX && k != vtkSurfaceImage::IntervalY)
+    if (!tile.HasCompanions[row])
     {
-      Divide(tile.Values[k], tile.Counts);
+      continue;
     }
+    const int first = row * TileSize;
+    const float* counts = tile.Counts + first;
+    AverageNormals(tile.Values[vtkSurfaceImage::NormalX] + first,
+      tile.Values[vtkSurfaceImage::NormalY] + first, tile.Values[vtkSurfaceImage::NormalZ] + first,
+      tile.FrontNormals[0] + first, tile.FrontNormals[1] + first, tile.FrontNormals[2] + first,
+      counts);
+    for (int k = vtkSurfaceImage::Radius; k < planes; ++k)
+    {
+      if (k != vtkSurfaceImage::IntervalX && k != vtkSurfaceImage::IntervalY)
+      {
+        Divide(tile.Values[k] + first, counts);
+      }
+    }
+    float* depths = tile.Values[vtkSurfaceImage::IntervalX] + first;
+    if (!options.CenterDepths) // the interval is the nearest point's
+    {
+      std::copy_n(tile.FrontDepths + first, TileSize, depths);
+      continue;
+    }
+    Divide(depths, counts);
+    FindSpans(
+      depths, tile.FrontDepths + first, counts, tile.Values[vtkSurfaceImage::IntervalY] + first);
   }
-  float* depths = tile.Values[vtkSurfaceImage::IntervalX];
-  if (!options.CenterDepths) // the interval is the nearest point's
-  {
-    std::copy_n(tile.FrontDepths, TilePixels, depths);
-    return;
-  }
-  Divide(depths, tile.Counts);
-  FindSpans(depths, tile.FrontDepths, tile.Counts, tile.Values[vtkSurfaceImage::IntervalY]);
 }
 
 std::array<float, 4> vtkPointProjectionCPU::GetColor(size_t place) const
