@@ -29,6 +29,8 @@ RANKS = 3
 EMPTY = RANKS  # one rank more has no points
 BORDERS = [-np.inf, -0.35, 0.6, np.inf]  # in x: regions of unlike sizes
 REACH = 3.0
+LARGE = 0.1  # a radius, and two ways to tell it
+TOLD = ("RadiusArray", "size"), ("Radius", LARGE)
 QUANTILES = (-1.0, 0.0, 0.5, 0.98)
 
 
@@ -79,10 +81,12 @@ def two_points(cloud):
     return part
 
 
-def with_ghosts(data, errors=None, reach=REACH):
+def with_ghosts(data, errors=None, reach=REACH, **properties):
     generator = vtkGhostPointsGenerator()
     generator.SetInputData(data)
     generator.SetReach(reach)
+    for name, value in properties.items():
+        getattr(generator, f"Set{name}")(value)
     if errors is not None:
         for event in ("ErrorEvent", "WarningEvent"):
             generator.AddObserver(event, lambda *_: errors.append(1))
@@ -147,6 +151,12 @@ def run_rank(folder):
     output, _ = with_ghosts(part_of(cloud, rank_of(positions(cloud)) == rank))
     if output.GetNumberOfPoints():
         results["whole"] = vtk_to_numpy(output.GetFieldData().GetArray("vtkWholeCloud"))
+
+    # Radii that are told.
+    for name, value in TOLD:
+        cloud = torus_cloud(8000)
+        cloud.GetPointData().AddArray(array(np.full(8000, LARGE), "size"))
+        _, results["told/" + name] = with_ghosts(part_of(cloud, rank_of(positions(cloud)) == rank), **{name: value})
 
     # Two points, far closer to each other than their radii are.
     cloud = torus_cloud(8000)
@@ -309,6 +319,14 @@ def test_radii_are_those_of_the_mappers(ranks):
         assert counts["mean"][0] > 100
         assert counts["short"] == (counts["none"][0], 1, counts["none"][2])
         assert counts["none"][0] > 100
+
+
+def test_radii_that_are_told_count(ranks):
+    points = positions(torus_cloud(8000))
+    owner = rank_of(points)
+    for rank in range(RANKS):
+        expected = len(needed(points, owner, np.full(8000, LARGE), rank))
+        assert [int(ranks[rank]["told/" + name]) for name, _ in TOLD] == [expected, expected]
 
 
 def test_radii_of_few_points_are_those_of_the_whole(ranks):

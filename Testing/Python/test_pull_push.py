@@ -52,6 +52,25 @@ def test_outlines_are_trimmed(backend):
     assert shifts[False] > shifts[True] + 0.15
 
 
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_which_radius_counts(backend):
+    """The named array, else the constant, else the array "radius"."""
+    cloud = torus_cloud(2000)
+    cloud.GetPointData().AddArray(array(np.full(2000, 0.03), "size"))
+    own = cloud.GetPointData().GetArray("radius").GetValue(0)
+    for properties, expected in (
+        (dict(), own),
+        (dict(Radius=0.02), 0.02),
+        (dict(RadiusArray="size"), 0.03),
+        (dict(RadiusArray="size", Radius=0.02), 0.03),
+    ):
+        scene, _ = draw(cloud, backend, (100, 100), **properties)
+        buffer = vtkImageData()
+        assert scene.mapper.ReadProjectedBuffer(buffer)
+        radii = vtk_to_numpy(buffer.GetPointData().GetArray("Radius"))
+        assert radii[radii > 0] == pytest.approx(expected, rel=1e-5)
+
+
 def random_cloud(count):
     """Points of the torus at random, with radii of 1.5 times their mean spacing."""
     angles = 2 * np.pi * np.random.default_rng(0).random((4 * count, 3))
