@@ -146,6 +146,11 @@ void TestOrientation(PointSurfaceTest::Checks& check)
   normals = filter->GetOutput()->GetPointData()->GetNormals();
   check(normals->GetRange(2)[0] > -0.05 && normals->GetRange(2)[1] > 0.99,
     "normals towards a point far above");
+  filter->FlipNormalsOn();
+  filter->Update();
+  normals = filter->GetOutput()->GetPointData()->GetNormals();
+  check(normals->GetRange(2)[1] < 0.05 && normals->GetRange(2)[0] < -0.99,
+    "flipped, normals away from it");
 }
 
 //------------------------------------------------------------------------------

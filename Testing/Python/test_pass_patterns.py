@@ -55,10 +55,11 @@ def colors_of(pattern):
     return np.where(pattern[..., None] > 0, np.where(pattern[..., None] < 5, COLOR, BEHIND), BACKGROUND)
 
 
-def draw(pattern, name=None, **settings):
-    """The colours and the distances that come out: a point for each pixel, facing the viewer."""
+def draw(pattern, name=None, leaning=False, **settings):
+    """The colours and the distances that come out: a point for each pixel, facing the viewer; those nearer than 5 may lean."""
     y, x = np.nonzero(pattern)
-    cloud = polydata(np.stack([x + 0.5, y + 0.5, -pattern[y, x]], axis=1), np.tile((0.0, 0.0, 1.0), (len(x), 1)))
+    normals = np.where(leaning & (pattern[y, x] < 5)[:, None], (0.8, 0.0, 0.6), (0.0, 0.0, 1.0))
+    cloud = polydata(np.stack([x + 0.5, y + 0.5, -pattern[y, x]], axis=1), normals)
     vertices = vtkCellArray()
     vertices.InsertNextCell(len(x))
     for i in range(len(x)):
@@ -172,6 +173,17 @@ def test_layers(step, is_edge):
     assert np.abs(distance - pattern).max() < 1e-4
     assert np.abs(color - blended(pattern, edge)).max() < 0.005
     assert_picture(draw(pattern, "feature-lines", LayerDistance=1), pattern)
+
+
+@pytest.mark.parametrize("distance, is_bent", [(1, False), (5, True)])
+def test_feature_lines_within_a_layer(distance, is_bent):
+    """Between layers a surface does not bend, however its normals differ."""
+    pattern = layers(3)
+    color, _ = draw(pattern, "feature-lines", leaning=True, LayerDistance=distance)
+    line = color.max(axis=-1) < 0.05
+    front = pattern < 5
+    assert (np.count_nonzero(line & (beside(front, ~front) | beside(~front, front))) > 30) == is_bent
+    assert line.any() == is_bent
 
 
 @pytest.mark.parametrize("size", [100, 300, 900])

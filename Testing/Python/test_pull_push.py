@@ -69,6 +69,16 @@ def test_which_radius_counts(backend):
         assert scene.mapper.ReadProjectedBuffer(buffer)
         radii = vtk_to_numpy(buffer.GetPointData().GetArray("Radius"))
         assert radii[radii > 0] == pytest.approx(expected, rel=1e-5)
+    cloud.GetPointData().GetArray("radius").Fill(1e30)
+    cloud.GetPointData().GetArray("radius").SetValue(0, own)
+    scene = Scene(vtkPullPushMapper, cloud, (100, 100))
+    scene.mapper.SetBackend(getattr(vtkPullPushMapper, backend))
+    said = []
+    scene.mapper.AddObserver("WarningEvent", lambda *_: said.append(1))
+    scene.color()
+    assert scene.mapper.ReadProjectedBuffer(buffer) and said == [1]
+    radii = vtk_to_numpy(buffer.GetPointData().GetArray("Radius"))
+    assert radii.max() == pytest.approx(cloud.GetLength(), rel=1e-5), "none is larger than the cloud"
 
 
 def random_cloud(count):
@@ -140,6 +150,17 @@ def test_thinning(backend):
     # much of a picture as small as this is near an outline, and outlines are told by the points in their pixels
     assert measured[True]["psnr"] > measured[False]["psnr"] - 1
     assert measured[True]["unfilled"] < 1e-3
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_normals_to_either_side(backend):
+    """Those of a pixel's points are averaged as if all were turned as the nearest one's is."""
+    cloud = random_cloud(100_000)
+    vtk_to_numpy(cloud.GetPointData().GetNormals())[::2] *= -1
+    scene, image = draw(cloud, backend, (100, 100), ThinPoints=False)
+    psnr = metrics.psnr(image.color, draw_truth(scene).color)
+    print(f"PSNR {psnr:.2f}")
+    assert psnr > 30
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
