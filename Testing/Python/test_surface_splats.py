@@ -9,7 +9,7 @@ import pytest
 from scenes import Scene, array, assert_baseline, polydata, torus, torus_cloud, torus_mesh
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane
 from vtkmodules.vtkRenderingCore import vtkProperty
 
 from pointsurface import metrics, truth, vtkPullPushMapper, vtkSurfaceSplatMapper
@@ -58,13 +58,17 @@ def rows(matrix):
 class Frame:
     """A mapper after one frame, and its camera."""
 
-    def __init__(self, data, size, backend, parallel=False, zoom=1.5, culling=False, colors=False, **properties):
+    def __init__(self, data, size, backend, parallel=False, zoom=1.5, culling=False, colors=False, clip=False, **properties):
         scene = Scene(vtkSurfaceSplatMapper, data, size)
         self.scene, self.mapper, self.data = scene, scene.mapper, data
         self.mapper.SetBackend(getattr(vtkSurfaceSplatMapper, backend))
         self.mapper.SetScalarVisibility(colors)
         self.mapper.SetScalarRange(-1, 1)
         self.mapper.RecordPointIdsOn()
+        if clip:
+            plane = vtkPlane()
+            plane.SetNormal(-0.8, 0.6, 0)
+            self.mapper.AddClippingPlane(plane)
         for name, value in properties.items():
             getattr(self.mapper, f"Set{name}")(value)
         scene.actor.GetProperty().SetBackfaceCulling(culling)
@@ -141,6 +145,7 @@ BACKEND_SCENES = [
     dict(Supersampling=2, colors=True),
     dict(count=400_000),  # thinned
     dict(RadiusScale=0.3),  # gaps all over
+    dict(RadiusScale=3, clip=True),  # by a plane that large discs reach over from beyond
 ]
 
 
