@@ -101,7 +101,9 @@ public:
   /**
    * In the push phase too, average only pixels near the frontmost one (within twice its depth
    * interval), much as the pull phase does; the paper (section 3.3) averages all of them, which
-   * mixes two surfaces at their borders. Default on.
+   * mixes two surfaces at their borders. With culling off, discs that face away also give way to
+   * discs before them that face the viewer, but where their normals are nearly opposite, as those
+   * of one sheet are whose normals point to either side. Default on.
    */
   vtkSetMacro(DepthTestInPush, bool);
   vtkGetMacro(DepthTestInPush, bool);

@@ -33,6 +33,9 @@ struct vtkPullPushParameters
   /// Whether there is anything for vtkOutlineTrimCPU or vtkPullPushReconstructionOpenGL::Trim().
   bool TrimsProjected() const { return this->LargestOffset < 0.5f; }
 
+  /// Whether in the push backs give way to the front before them.
+  bool HidesBacks() const { return this->TwoSided && this->Options.DepthTestInPush; }
+
   vtkPullPushOptions Options;
   std::vector<Level> Levels;         ///< 0 is the finest; as many as the largest disc needs
   std::array<float, 4> PixelToEye{}; ///< xy: eye units a pixel where w is 1; zw: w = z depth + w

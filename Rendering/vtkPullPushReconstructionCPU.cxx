@@ -93,6 +93,8 @@ struct Uniforms
   float FineSize;       // pixels of level 0 along a side of a fine pixel
   float OppositeSide;   // factor on normals that point to the other side: 1 leaves them
   float BackLimit;      // how far the front reaches over the back, a distance as in Hit
+  float BackShare;      // of a back's weight where it is behind its front
+  float HidesOwnBacks;  // 1: nor does a back stay in its own pixel there
   float DistanceWeight; // 1: weights fall with the distance
   float ConstantWeight; // 1: weights are those of the paper
   float OwnWeight;      // 1: a pixel that stays is averaged with the coarser ones
@@ -108,6 +110,8 @@ struct Uniforms
     , FineSize(static_cast<float>(1 << fineLevel))
     , OppositeSide(p.TwoSided ? -1.0f : 1.0f)
     , BackLimit(p.TwoSided ? 4.0f : 1.0f)
+    , BackShare(p.HidesBacks() ? 0.0f : 1.0f)
+    , HidesOwnBacks(p.HidesBacks() && !p.BlendsPixels ? 1.0f : 0.0f)
     , DistanceWeight(p.Options.DistanceWeights ? 1.0f : 0.0f)
     , ConstantWeight(p.Options.DistanceWeights ? 0.0f : 1.0f)
     , OwnWeight(p.BlendsPixels && fineLevel == 0 ? 1.0f : 0.0f)
@@ -361,6 +365,15 @@ VTK_POINT_SURFACE_INLINE bool FacesAway(const Pixel& p, const float (&ray)[2])
   return p.NormalX * ray[0] + p.NormalY * ray[1] - p.NormalZ > 0.0f;
 }
 
+/// Whether a disc is the back of a surface and behind its front. What points nearly opposite to the
+/// front is rather of the same side, with a normal that was turned.
+VTK_POINT_SURFACE_INLINE bool IsBackOf(const Pixel& front, const Pixel& p, const float (&ray)[2])
+{
+  const float alike =
+    p.NormalX * front.NormalX + p.NormalY * front.NormalY + p.NormalZ * front.NormalZ;
+  return FacesAway(p, ray) & (p.DepthX >= front.DepthX) & (alike > -0.6f);
+}
+
 /// 1 where a part of the fine pixel, at a depth, is on the kept side of all planes, else 0: there a
 /// disc hides nothing.
 VTK_POINT_SURFACE_INLINE float IsKept(
@@ -420,7 +433,7 @@ VTK_POINT_SURFACE_INLINE void PushPixels(const Pixels<PairSize>& fine,
     const Range parent = GetDepthRange<CenterDepths>(coarse[0].Get(i));
     const bool valid = own.Radius > 0.0f;
     const bool covered = valid & (!Trims || CoversOwnPixel<CenterDepths>(own, u, ray));
-    const bool keep =
+    const bool isInFront =
       covered & (ownRange.Nearest >= parent.Nearest) & (ownRange.Nearest <= parent.Farthest);
     // The back of a surface seen through a gap in its front: let the front reach twice as far.
     const bool isBack = valid & FacesAway(own, ray);
@@ -453,6 +466,25 @@ VTK_POINT_SURFACE_INLINE void PushPixels(const Pixels<PairSize>& fine,
       frontEnd = isFront ? 2.0f * range[k].Farthest - range[k].Nearest : frontEnd;
       front = isFront ? range[k].Nearest : front;
     }
+
+    Pixel facing = {};
+    facing.DepthX = Infinite;
+    VTK_POINT_SURFACE_UNROLL
+    for (int k = 0; k < 4; ++k)
+    {
+      const bool isNearer =
+        (weight[k] > 0.0f) & !FacesAway(p[k], ray) & (p[k].DepthX < facing.DepthX);
+      facing.NormalX = isNearer ? p[k].NormalX : facing.NormalX;
+      facing.NormalY = isNearer ? p[k].NormalY : facing.NormalY;
+      facing.NormalZ = isNearer ? p[k].NormalZ : facing.NormalZ;
+      facing.DepthX = isNearer ? p[k].DepthX : facing.DepthX;
+    }
+    VTK_POINT_SURFACE_UNROLL
+    for (int k = 0; k < 4; ++k)
+    {
+      weight[k] *= IsBackOf(facing, p[k], ray) ? u.BackShare : 1.0f;
+    }
+    const bool keep = isInFront & !(valid & IsBackOf(facing, own, ray) & (u.HidesOwnBacks > 0.0f));
 
     // a pixel that stays, a back alone, for the fill to find, others with what is at their depth
     const float ownDistance = GetHit<CenterDepths>(own, u, ray).Distance;
@@ -568,7 +600,8 @@ VTK_POINT_SURFACE_INLINE void GatherParents(const float* row, float* parents, fl
   }
 }
 
-/// Whether all pixels of a row are valid, covered and not occluded. `x` and `y` are of the first.
+/// Whether all pixels of a row are valid, covered and not occluded, and no backs. `x` and `y` are
+/// of the first.
 template <bool CenterDepths, bool Trims>
 VTK_POINT_SURFACE_INLINE bool AllStay(const Pixels<PairSize>& fine, const Pixels<PairSize>& parents,
   const Uniforms& uniforms, int x, int y)
@@ -587,7 +620,9 @@ VTK_POINT_SURFACE_INLINE bool AllStay(const Pixels<PairSize>& fine, const Pixels
     };
     const bool covered =
       (own.Radius > 0.0f) & (!Trims || CoversOwnPixel<CenterDepths>(own, u, ray));
-    const bool stays = covered & (nearest >= parent.Nearest) & (nearest <= parent.Farthest);
+    const bool mayBeHidden = FacesAway(own, ray) & (u.HidesOwnBacks > 0.0f);
+    const bool stays =
+      covered & (nearest >= parent.Nearest) & (nearest <= parent.Farthest) & !mayBeHidden;
     leaving += stays ? 0 : 1;
   }
   return leaving == 0;

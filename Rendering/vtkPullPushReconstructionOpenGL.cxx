@@ -45,6 +45,7 @@ std::string GetConstants(const vtkPullPushParameters& parameters)
   add("twoSided", parameters.TwoSided);
   add("distanceWeights", parameters.Options.DistanceWeights);
   add("depthTest", parameters.Options.DepthTestInPush);
+  add("hidesBacks", parameters.HidesBacks());
   add("blendsPixels", parameters.BlendsPixels);
   add("trimsOutlines", parameters.Options.TrimOutlines);
   add("clips", parameters.NumberOfClippingPlanes > 0);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Push: invalid and occluded pixels of a level from the coarser one (Marroquim et al. 2007, section 3.3).
 // More constants, see vtkPullPushCommon.glsl: distanceWeights; depthTest, where only what is near the
-// frontmost interval is averaged (not in the paper); blendsPixels, where pixels of the finest level that
+// frontmost interval is averaged (not in the paper); hidesBacks, where backs give way to the front
+// before them; blendsPixels, where pixels of the finest level that
 // stay are averaged with what is at their depth; clips, where there are planes of clipping;
 // trimsOutlines, where a point's own pixel shows it only if its disc covers the centre, but for
 // outlineSlack pixels.
@@ -102,6 +103,13 @@ float getSurfaceDepth(vec4 shape, vec4 interval, vec2 pixel)
   return depth;
 }
 
+// Whether a disc is the back of a surface and behind its front, of which normal and depth are given.
+// What points nearly opposite to the front is rather of the same side, with a normal that was turned.
+bool isBackOf(vec4 front, vec3 normal, float depth, vec2 pixel)
+{
+  return depth >= front.w && dot(normal, front.xyz) > -0.6 && !facesViewer(normal, pixel);
+}
+
 void main()
 {
   ivec2 fine = ivec2(gl_FragCoord.xy);
@@ -133,7 +141,8 @@ void main()
       texelFetch(coarseShape, parent, 0), texelFetch(coarseInterval, parent, 0));
     keep = ownRange.x >= parentRange.x && ownRange.x <= parentRange.y;
   }
-  if (!keep || blends)
+  bool mayBeHidden = hidesBacks && !blendsPixels && isBack;
+  if (!keep || blends || mayBeHidden)
   {
     ivec2 toNeighbor = 2 * (fine & 1) - 1;
     vec4 shapes[4];
@@ -142,6 +151,7 @@ void main()
     float nearness[4]; // to the centre; the id is that of the nearest one
     float front = 3.4e38;
     float frontEnd = 3.4e38;
+    vec4 facing = vec4(0.0, 0.0, 0.0, 3.4e38); // the nearest that faces the viewer: normal, depth
     for (int i = 0; i < 4; ++i)
     {
       ivec2 isNeighbor = ivec2(i & 1, i >> 1);
@@ -169,12 +179,18 @@ void main()
           front = range.x;
           frontEnd = 2.0 * range.y - range.x;
         }
+        if (hidesBacks && intervals[i].x < facing.w && facesViewer(shapes[i].xyz, fineCenter))
+        {
+          facing = vec4(shapes[i].xyz, intervals[i].x);
+        }
       }
     }
 
+    keep = keep && !(mayBeHidden && isBackOf(facing, shape.xyz, interval.x, fineCenter));
     // a pixel that stays is averaged with what is at its depth
+    bool alone = keep && !blends;
     float ownDepth;
-    float sum = keep ? getWeight(getDistance(shape, interval, fineCenter, ownDepth), 1.0) : 0.0;
+    float sum = keep && blends ? getWeight(getDistance(shape, interval, fineCenter, ownDepth), 1.0) : 0.0;
     float ownEnd = 2.0 * ownRange.y - ownRange.x;
     vec4 newShape = keep ? sum * shape : vec4(0.0);
     vec4 newInterval = keep ? sum * interval : vec4(0.0);
@@ -190,7 +206,8 @@ void main()
     {
       vec2 range = getDepthRange(shapes[i], intervals[i]);
       bool isDropped = keep ? range.x > ownEnd || range.y < ownRange.x : range.x > frontEnd;
-      float weight = isDropped ? 0.0 : weights[i];
+      bool isHidden = hidesBacks && isBackOf(facing, shapes[i].xyz, intervals[i].x, fineCenter);
+      float weight = alone || isDropped || isHidden ? 0.0 : weights[i];
       ivec2 coarse = parent + toNeighbor * ivec2(i & 1, i >> 1);
       bool turns = twoSided && dot(shapes[i].xyz, mainNormal) < 0.0;
       shapes[i].xyz = turns ? -shapes[i].xyz : shapes[i].xyz;
