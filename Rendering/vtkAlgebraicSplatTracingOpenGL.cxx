@@ -215,11 +215,8 @@ void vtkAlgebraicSplatTracingOpenGL::DrawClouds(vtkOpenGLRenderWindow* window,
   const vtkAlgebraicSplatOptions& options, vtkSurfaceTarget* visible, vtkSurfaceTarget& target)
 {
   ++this->Passes;
-  vtkOpenGLState* state = window->GetState();
   target.BindForWriting(window);
-  state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(view.Rectangle[0], view.Rectangle[1], view.Rectangle[2], view.Rectangle[3]);
-  target.Clear();
+  target.Clear(window, view.Rectangle);
   if (visible)
   {
     visible->Activate();

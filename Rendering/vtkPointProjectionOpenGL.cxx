@@ -103,7 +103,6 @@ void vtkPointProjectionOpenGL::ReleaseGraphicsResources(vtkWindow* window)
   release(this->FirstPass);
   release(this->SumPass);
   std::for_each(this->OtherPasses.begin(), this->OtherPasses.end(), release);
-  this->Nearest.ReleaseGraphicsResources(window);
   this->Sums.ReleaseGraphicsResources(window);
   for (auto& entry : this->AveragePasses)
   {
@@ -115,24 +114,12 @@ void vtkPointProjectionOpenGL::ReleaseGraphicsResources(vtkWindow* window)
 void vtkPointProjectionOpenGL::Draw(vtkOpenGLRenderWindow* window, const std::vector<Cloud>& clouds,
   const vtkPointProjectionOptions& options, vtkSurfaceTarget& target, vtkSurfaceTarget* nearest)
 {
-  const std::array<int, 4>& r = clouds.front().View.Rectangle;
-  vtkOpenGLState* state = window->GetState();
-  state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(r[0], r[1], r[2], r[3]);
-  if (!options.AveragePoints)
+  this->DrawFirst(window, clouds, options, target, nearest);
+  if (options.AveragePoints)
   {
-    this->DrawFirst(window, clouds, options, target, nearest);
-    return;
+    this->DrawSums(window, clouds, options, target);
+    this->Average(window, clouds.front().View.Rectangle, options, target);
   }
-  std::vector<vtkSurfaceTarget::Layer> layers = target.GetLayers();
-  if (!target.Has(vtkSurfaceTarget::Id))
-  {
-    layers.push_back(vtkSurfaceTarget::Id); // which tells a pixel's nearest point from the others
-  }
-  this->Nearest.Allocate(window, target.GetWidth(), target.GetHeight(), layers, true);
-  this->DrawFirst(window, clouds, options, this->Nearest, nearest);
-  this->DrawSums(window, clouds, options);
-  this->Average(window, r, options, target);
 }
 
 void vtkPointProjectionOpenGL::DrawFirst(vtkOpenGLRenderWindow* window,
@@ -145,7 +132,7 @@ void vtkPointProjectionOpenGL::DrawFirst(vtkOpenGLRenderWindow* window,
   state->vtkglDepthMask(GL_TRUE);
   // of points at the same depth the first one stays
   state->vtkglDepthFunc(nearest ? GL_GREATER : GL_LESS);
-  target.Clear(nearest ? 0.0f : 1.0f);
+  target.Clear(window, clouds.front().View.Rectangle, nearest ? 0.0f : 1.0f);
   if (nearest)
   {
     nearest->Activate();
@@ -172,67 +159,84 @@ void vtkPointProjectionOpenGL::DrawFirst(vtkOpenGLRenderWindow* window,
   state->vtkglDisable(GL_DEPTH_TEST);
 }
 
+/// Pixels with sums get the depth 0, so that Average() runs over these alone.
 void vtkPointProjectionOpenGL::DrawSums(vtkOpenGLRenderWindow* window,
-  const std::vector<Cloud>& clouds, const vtkPointProjectionOptions& options)
+  const std::vector<Cloud>& clouds, const vtkPointProjectionOptions& options,
+  vtkSurfaceTarget& target)
 {
-  std::vector<vtkSurfaceTarget::Layer> layers = { vtkSurfaceTarget::Shape,
-    vtkSurfaceTarget::Interval };
-  if (this->Nearest.Has(vtkSurfaceTarget::Color))
+  std::vector<vtkSurfaceTarget::Layer> sums = { vtkSurfaceTarget::Sum, vtkSurfaceTarget::Change };
+  if (target.Has(vtkSurfaceTarget::Color))
   {
-    layers.push_back(vtkSurfaceTarget::Color);
+    sums.push_back(vtkSurfaceTarget::Color);
   }
-  this->Sums.Allocate(window, this->Nearest.GetWidth(), this->Nearest.GetHeight(), layers);
-  this->Sums.BindForWriting(window);
-  this->Sums.Clear();
-  const std::string shader = vtkSurfaceTarget::GetInputDeclarations(
-                               { vtkSurfaceTarget::Shape, vtkSurfaceTarget::Interval }, "nearest") +
-    vtkSurfaceTarget::GetOutputDeclarations(layers) + vtkPointSumFS;
-  this->Nearest.Activate();
+  std::vector<vtkSurfaceTarget::Layer> layers = sums;
+  layers.push_back(vtkSurfaceTarget::Surface); // of the nearest point, which is not added up
+  const auto surfaceLayer = static_cast<GLuint>(sums.size());
+  this->Sums.Allocate(window, target.GetWidth(), target.GetHeight(), layers);
+  this->Sums.ShareDepthBuffer(window, target);
   vtkOpenGLState* state = window->GetState();
+  state->vtkglDepthMask(GL_FALSE);
+  this->Sums.BindForWriting(window, sums);
+  this->Sums.Clear(window, clouds.front().View.Rectangle);
+  this->Sums.BindForWriting(window);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglDepthFunc(GL_ALWAYS);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  glDisablei(GL_BLEND, surfaceLayer);
+  target.Activate();
+  const std::string shader = vtkSurfaceTarget::GetOutputDeclarations(layers) + vtkPointSumFS;
   for (const Cloud& cloud : clouds)
   {
     Pass& pass = cloud.Projection->SumPass;
     if (vtkShaderProgram* program =
           ReadyProgram(window, pass, "ONLY_COMPANIONS", shader, cloud, options))
     {
-      this->Nearest.SetSamplers(program, "nearest");
+      target.SetSamplers(program, "nearest");
       program->SetUniformi("twoSided", cloud.View.Cull == vtkPointSurfaceView::NoCulling);
       DrawRanges(pass, cloud);
     }
   }
-  state->vtkglDisable(GL_BLEND);
-  this->Nearest.Deactivate();
+  target.Deactivate();
+  state->vtkglDisable(GL_BLEND); // of all layers
+  state->vtkglDisable(GL_DEPTH_TEST);
 }
 
 void vtkPointProjectionOpenGL::Average(vtkOpenGLRenderWindow* window,
   const std::array<int, 4>& rectangle, const vtkPointProjectionOptions& options,
   vtkSurfaceTarget& target)
 {
-  std::unique_ptr<vtkScreenPass>& pass = this->AveragePasses[target.GetLayers()];
+  std::vector<vtkSurfaceTarget::Layer> layers = target.GetLayers();
+  layers.pop_back(); // the id stays that of the nearest one
+  std::unique_ptr<vtkScreenPass>& pass = this->AveragePasses[layers];
   if (!pass)
   {
     pass.reset(new vtkScreenPass("//VTK::System::Dec\n" +
-      vtkSurfaceTarget::GetInputDeclarations(this->Nearest.GetLayers(), "nearest") +
       vtkSurfaceTarget::GetInputDeclarations(this->Sums.GetLayers(), "sum") +
-      vtkSurfaceTarget::GetOutputDeclarations(target.GetLayers()) + vtkPointAverageFS));
+      vtkSurfaceTarget::GetOutputDeclarations(layers) + vtkPointAverageFS));
   }
   vtkShaderProgram* program = pass->Ready(window);
   if (!program)
   {
     return;
   }
-  this->Nearest.Activate();
-  this->Nearest.SetSamplers(program, "nearest");
   this->Sums.Activate();
   this->Sums.SetSamplers(program, "sum");
   program->SetUniformi("centerDepths", options.CenterDepths);
-  target.BindForWriting(window);
+  target.BindForWriting(window, layers);
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglDepthFunc(GL_EQUAL);
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFunc(GL_ONE, GL_ONE);
   pass->Draw(window, rectangle[0], rectangle[1], rectangle[2], rectangle[3]);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_DEPTH_TEST);
   this->Sums.Deactivate();
-  this->Nearest.Deactivate();
 }
 
 //------------------------------------------------------------------------------

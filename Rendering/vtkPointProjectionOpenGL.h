@@ -77,7 +77,8 @@ public:
 
   /**
    * Draws the points of the views' ranges of clouds into `target`, which has the layers Shape and
-   * Interval at least, and a depth buffer; all views have one rectangle, which is emptied before.
+   * Interval at least, Id as the last one where points are averaged, and a depth buffer; all views
+   * have one rectangle, which is emptied before.
    * With `nearest`, the result of such a run with centre depths, a pixel gets the farthest point
    * within the options' depth tolerance behind its nearest one.
    */
@@ -117,7 +118,7 @@ private:
   void DrawFirst(vtkOpenGLRenderWindow* window, const std::vector<Cloud>& clouds,
     const vtkPointProjectionOptions& options, vtkSurfaceTarget& target, vtkSurfaceTarget* nearest);
   void DrawSums(vtkOpenGLRenderWindow* window, const std::vector<Cloud>& clouds,
-    const vtkPointProjectionOptions& options);
+    const vtkPointProjectionOptions& options, vtkSurfaceTarget& target);
   void Average(vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle,
     const vtkPointProjectionOptions& options, vtkSurfaceTarget& target);
   static vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window, Pass& pass,
@@ -138,8 +139,7 @@ private:
   Pass FirstPass;
   Pass SumPass;
   std::array<Pass, NumberOfUses> OtherPasses;
-  vtkSurfaceTarget Nearest; // where points are averaged, and their sums
-  vtkSurfaceTarget Sums;
+  vtkSurfaceTarget Sums; // of the points that share a pixel, but for the nearest one
   std::map<std::vector<vtkSurfaceTarget::Layer>, std::unique_ptr<vtkScreenPass>> AveragePasses;
 };
 

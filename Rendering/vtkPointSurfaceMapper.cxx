@@ -1242,12 +1242,14 @@ void vtkPointSurfaceMapper::ProjectPoints(vtkOpenGLRenderWindow* window,
   this->BeginProjection();
   std::vector<vtkSurfaceTarget::Layer> layers = { vtkSurfaceTarget::Shape,
     vtkSurfaceTarget::Interval };
-  for (vtkSurfaceTarget::Layer layer : { vtkSurfaceTarget::Id, vtkSurfaceTarget::Color })
+  if (surface.Has(vtkSurfaceTarget::Color))
   {
-    if (surface.Has(layer))
-    {
-      layers.push_back(layer);
-    }
+    layers.push_back(vtkSurfaceTarget::Color);
+  }
+  // tells a pixel's nearest point from the others; last, as it is not averaged
+  if (options.AveragePoints || surface.Has(vtkSurfaceTarget::Id))
+  {
+    layers.push_back(vtkSurfaceTarget::Id);
   }
   projected.Allocate(window, view.Size[0], view.Size[1], layers, true);
   const std::vector<vtkPointProjectionOpenGL::Cloud> clouds =
@@ -1582,7 +1584,8 @@ bool vtkPointSurfaceMapper::ReadProjection(const vtkPointSurfaceView& view,
   {
     AddLayer(buffer, readFloats(vtkSurfaceTarget::Color), "Colors", 0, 4);
   }
-  if (byCPU ? projectedByCPU.HasIds() : projected.Has(vtkSurfaceTarget::Id))
+  const vtkSurfaceBuffer* surface = this->Internals->Current;
+  if (byCPU ? projectedByCPU.HasIds() : surface && surface->Target.Has(vtkSurfaceTarget::Id))
   {
     AddIds(buffer, byCPU ? projectedByCPU.ReadIds() : projected.ReadIds(window, view.Rectangle));
   }

@@ -61,7 +61,15 @@ void vtkPullPushReconstructionOpenGL::Run(vtkOpenGLRenderWindow* window,
   const vtkPullPushParameters& parameters, vtkSurfaceTarget& projected, vtkSurfaceTarget& surface)
 {
   this->Passes = 0;
-  this->AllocatePyramid(window, parameters, projected.GetLayers());
+  Layers layers = { vtkSurfaceTarget::Shape, vtkSurfaceTarget::Interval };
+  for (vtkSurfaceTarget::Layer layer : { vtkSurfaceTarget::Id, vtkSurfaceTarget::Color })
+  {
+    if (surface.Has(layer))
+    {
+      layers.push_back(layer);
+    }
+  }
+  this->AllocatePyramid(window, parameters, layers);
 
   auto pulled = [&](int level) -> vtkSurfaceTarget&
   { return level == 0 ? projected : *this->Pulled[level - 1]; };
@@ -139,7 +147,7 @@ void vtkPullPushReconstructionOpenGL::Pull(vtkOpenGLRenderWindow* window,
   const vtkPullPushParameters& parameters, vtkSurfaceTarget& fine, int level)
 {
   vtkSurfaceTarget& coarse = *this->Pulled[level - 1];
-  vtkScreenPass& pass = this->GetPass(parameters, PullPass, fine.GetLayers(), coarse.GetLayers());
+  vtkScreenPass& pass = this->GetPass(parameters, PullPass, coarse.GetLayers(), coarse.GetLayers());
   vtkShaderProgram* program = pass.Ready(window);
   if (!program)
   {
@@ -160,7 +168,7 @@ void vtkPullPushReconstructionOpenGL::Push(vtkOpenGLRenderWindow* window,
   const vtkPullPushParameters& parameters, vtkSurfaceTarget& fine, vtkSurfaceTarget& coarse,
   vtkSurfaceTarget& result, int level)
 {
-  vtkScreenPass& pass = this->GetPass(parameters, PushPass, fine.GetLayers(), result.GetLayers());
+  vtkScreenPass& pass = this->GetPass(parameters, PushPass, coarse.GetLayers(), result.GetLayers());
   vtkShaderProgram* program = pass.Ready(window);
   if (!program)
   {
@@ -237,10 +245,7 @@ void vtkPullPushReconstructionOpenGL::DrawTiles(vtkOpenGLRenderWindow* window,
   program->SetUniform2i("firstTile", first);
   program->SetUniformi("tileColumns", columns);
   program->SetUniform2f("targetSize", size);
-  vtkOpenGLState* state = window->GetState();
-  state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(r[0], r[1], r[2] - r[0], r[3] - r[1]);
-  result.Clear();
+  result.Clear(window, { r[0], r[1], r[2] - r[0], r[3] - r[1] });
   pass.DrawPoints(window, r[0], r[1], r[2] - r[0], r[3] - r[1], columns * rows, TileSize);
   ++this->Passes;
 }

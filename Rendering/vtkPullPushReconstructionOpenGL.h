@@ -36,7 +36,7 @@ public:
   ~vtkPullPushReconstructionOpenGL();
 
   /**
-   * Fills `surface` (layer Surface, and Id and Color where `projected` has them) from `projected`
+   * Fills `surface` (layer Surface, and Id and Color where it is to have them) from `projected`
    * within the view's rectangle.
    */
   void Run(vtkOpenGLRenderWindow* window, const vtkPullPushParameters& parameters,

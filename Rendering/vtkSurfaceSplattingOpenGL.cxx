@@ -111,12 +111,8 @@ void vtkSurfaceSplattingOpenGL::DrawSplats(vtkOpenGLRenderWindow* window,
   const std::vector<vtkPointProjectionOpenGL::Cloud>& clouds, int use, vtkSurfaceTarget& target)
 {
   ++this->Passes;
-  const auto& r = parameters.View.Rectangle;
-  vtkOpenGLState* state = window->GetState();
   target.BindForWriting(window);
-  state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(r[0], r[1], r[2], r[3]);
-  target.Clear();
+  target.Clear(window, parameters.View.Rectangle);
   const bool readsDepths = use != ForDepths;
   vtkPointProjectionOpenGL::Shaders shaders;
   shaders.Vertex = vtkSurfaceSplatVS;

@@ -16,9 +16,9 @@
 namespace
 {
 const char* const LayerNames[vtkSurfaceTarget::NumberOfLayers] = { "Shape", "Interval", "Surface",
-  "Id", "Color", "Nearness", "Sum", "Weight" };
+  "Id", "Color", "Nearness", "Sum", "Weight", "Change" };
 const char* const OutputNames[vtkSurfaceTarget::NumberOfLayers] = { "OUT_SHAPE", "OUT_INTERVAL",
-  "OUT_SURFACE", "OUT_ID", "OUT_COLOR", "OUT_NEARNESS", "OUT_SUM", "OUT_WEIGHT" };
+  "OUT_SURFACE", "OUT_ID", "OUT_COLOR", "OUT_NEARNESS", "OUT_SUM", "OUT_WEIGHT", "OUT_CHANGE" };
 
 bool IsInteger(vtkSurfaceTarget::Layer layer)
 {
@@ -102,9 +102,25 @@ void vtkSurfaceTarget::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
+void vtkSurfaceTarget::ShareDepthBuffer(vtkOpenGLRenderWindow* window, vtkSurfaceTarget& owner)
+{
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddDepthAttachment(owner.DepthBuffer);
+  state->PopFramebufferBindings();
+}
+
 void vtkSurfaceTarget::BindForWriting(vtkOpenGLRenderWindow* window)
 {
-  const unsigned int count = static_cast<unsigned int>(this->Layers.size());
+  this->BindForWriting(window, this->Layers);
+}
+
+void vtkSurfaceTarget::BindForWriting(
+  vtkOpenGLRenderWindow* window, const std::vector<Layer>& layers)
+{
+  this->WrittenLayers = layers;
+  const unsigned int count = static_cast<unsigned int>(layers.size());
   this->Framebuffer->Bind();
   this->Framebuffer->ActivateDrawBuffers(count);
   // vtkOpenGLState takes draw buffers 1 and up from the framebuffer that was bound before (it
@@ -119,13 +135,19 @@ void vtkSurfaceTarget::BindForWriting(vtkOpenGLRenderWindow* window)
   window->GetState()->vtkglViewport(0, 0, this->Width, this->Height);
 }
 
-void vtkSurfaceTarget::Clear(float depth)
+void vtkSurfaceTarget::Clear(
+  vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle, float depth)
 {
+  // To software a rectangle is something to draw, and all of a target is not.
+  vtkOpenGLState* state = window->GetState();
+  const bool isMost = 3 * rectangle[2] * rectangle[3] > 2 * this->Width * this->Height;
+  state->vtkglScissor(rectangle[0], rectangle[1], rectangle[2], rectangle[3]);
+  state->SetEnumState(GL_SCISSOR_TEST, !isMost);
   const GLfloat zero[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   const GLuint none[4] = { 0, 0, 0, 0 };
-  for (size_t i = 0; i < this->Layers.size(); ++i)
+  for (size_t i = 0; i < this->WrittenLayers.size(); ++i)
   {
-    if (IsInteger(this->Layers[i]))
+    if (IsInteger(this->WrittenLayers[i]))
     {
       glClearBufferuiv(GL_COLOR, static_cast<GLint>(i), none);
     }
@@ -135,6 +157,7 @@ void vtkSurfaceTarget::Clear(float depth)
     }
   }
   glClearBufferfv(GL_DEPTH, 0, &depth);
+  state->vtkglEnable(GL_SCISSOR_TEST);
 }
 
 //------------------------------------------------------------------------------

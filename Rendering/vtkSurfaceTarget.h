@@ -37,6 +37,7 @@ public:
     Nearness, ///< x, y: 1 / depth of the nearest front and back of a surface, 0 where there is none
     Sum,      ///< xyz: weighted sum of normals; w: of depths
     Weight,   ///< x: sum of weights
+    Change,   ///< what is to be added to depth (x), radius (y), and the ellipse's centre (zw)
     NumberOfLayers
   };
 
@@ -57,15 +58,25 @@ public:
   bool Has(Layer layer) const;
 
   /**
-   * Binds the framebuffer for writing all layers, with the viewport over all of it.
+   * Lets the target have the depth buffer of another one, of the same size, in place of its own.
+   */
+  void ShareDepthBuffer(vtkOpenGLRenderWindow* window, vtkSurfaceTarget& owner);
+
+  ///@{
+  /**
+   * Binds the framebuffer for writing all layers, or only `layers`, the first ones of them, with
+   * the viewport over all of it.
    */
   void BindForWriting(vtkOpenGLRenderWindow* window);
+  void BindForWriting(vtkOpenGLRenderWindow* window, const std::vector<Layer>& layers);
+  ///@}
 
   /**
-   * Sets all layers within the scissor rectangle to 0 and the depth buffer to `depth`. The
-   * target is bound for writing.
+   * Sets the layers that are bound for writing to 0 and the depth buffer to `depth`, within
+   * `rectangle` (x, y, width, height) at least, to which drawing is confined from then on.
    */
-  void Clear(float depth = 1.0f);
+  void Clear(
+    vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle, float depth = 1.0f);
 
   ///@{
   /**
@@ -126,6 +137,7 @@ private:
   int Width = 0;
   int Height = 0;
   std::vector<Layer> Layers;
+  std::vector<Layer> WrittenLayers; // by BindForWriting()
   vtkNew<vtkTextureObject> Textures[NumberOfLayers];
   vtkNew<vtkTextureObject> DepthBuffer;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;

@@ -11,11 +11,14 @@ uniform float largestReach;  // in radii
 uniform sampler2D nearestShape;
 uniform sampler2D nearestInterval;
 uniform usampler2D nearestId;
+uniform sampler2D nearestColor;
+uniform bool twoSided;       // normals may point to either side
 
 flat out vec4 shape;
 flat out vec4 interval;
 flat out vec4 color;
 flat out uint id;
+flat out vec4 nearestSurface;
 
 void main()
 {
@@ -42,16 +45,16 @@ void main()
   vec2 center = floor(window) + 0.5;
 #ifndef ALL_POINTS
   ivec2 pixel = clamp(ivec2(center), ivec2(0), ivec2(targetSize) - 1);
-  float nearest = texelFetch(nearestInterval, pixel, 0).x;
+  vec4 nearest = texelFetch(nearestInterval, pixel, 0);
 #ifdef ONLY_FARTHEST
-  bool isWanted = depth <= nearest + depthTolerance;
+  bool isWanted = depth <= nearest.x + depthTolerance;
 #else
   vec4 disc = texelFetch(nearestShape, pixel, 0);
   float along = dot(disc.xyz, toViewer);
   float slope = sqrt(max(1.0 - along * along, 0.0)) / max(abs(along), 1.0 / largestReach);
   float pixelSize = 2.0 * gl_Position.w / (targetSize.y * abs(VCDCMatrix[1][1]));
   float reach = disc.w * clamp(pixelSize * slope / disc.w, 1.0, largestReach);
-  bool isWanted = depth <= nearest + reach && texelFetch(nearestId, pixel, 0).r != id;
+  bool isWanted = depth <= nearest.x + reach && texelFetch(nearestId, pixel, 0).r != id;
 #endif
   if (!isWanted)
   {
@@ -64,8 +67,19 @@ void main()
   interval.xy = centerDepths ? vec2(depth, 0.0) : vec2(depth, depth + radius);
   interval.zw = subpixelCenters ? window - center : vec2(0.0);
 
+#ifdef ONLY_COMPANIONS
+  // What the point adds to the nearest one: its normal, one to their number, and how its other values differ.
+  float side = twoSided && dot(normal, disc.xyz) < 0.0 ? -1.0 : 1.0;
+  shape = vec4(side * normal, 1.0);
+  interval = vec4(depth - nearest.x, radius - disc.w, interval.zw - nearest.zw);
+  color -= texelFetch(nearestColor, pixel, 0);
+  nearestSurface = vec4(disc.xyz, nearest.x);
+  // the least depth marks pixels that have sums; exactly, so with no division by another w
+  gl_Position = vec4(2.0 * center / targetSize - 1.0, -1.0, 1.0);
+#else
   // Linear depth over the cloud's own range: the same precision everywhere, whatever the camera's
   // clipping range is.
   float linear = (depth - depthRange.x) / (depthRange.y - depthRange.x);
   gl_Position.z = (2.0 * clamp(linear, 0.0, 1.0) - 1.0) * gl_Position.w;
+#endif
 }
