@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <functional>
 #include <vector>
 
 namespace
@@ -614,7 +613,7 @@ int vtkPointProjectionCPU::FindTiles(
     });
 
   const int tiles = this->TileColumns * ((rectangle[3] - rectangle[1] + TileSize - 1) / TileSize);
-  const auto forTiles = [this](const Site& site, const std::function<void(int)>& work)
+  const auto forTiles = [this](const Site& site, auto work)
   {
     for (int row = site.Tiles[1]; row <= site.Tiles[3]; ++row)
     {

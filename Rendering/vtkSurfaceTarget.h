@@ -35,9 +35,9 @@ public:
     Id,       ///< point id + 1 (an unsigned integer), 0 where there is none
     Color,    ///< RGBA, or texture coordinates in xy
     Nearness, ///< x, y: 1 / depth of the nearest front and back of a surface, 0 where there is none
-    Sum,      ///< xyz: weighted sum of normals; w: of depths
+    Sum,      ///< xyz: weighted sum of normals; w: of depths, or the number of points with a Change
     Weight,   ///< x: sum of weights
-    Change,   ///< what is to be added to depth (x), radius (y), and the ellipse's centre (zw)
+    Change,   ///< sums of what points differ by in depth (x), radius (y), and centre (zw)
     NumberOfLayers
   };
 
