@@ -3,6 +3,7 @@
 
 import signal
 import sys
+import threading
 import time
 from contextlib import contextmanager
 
@@ -50,6 +51,24 @@ def _lines(what):
             announce(f"{what}: {fraction:.0%}")
 
     return report
+
+
+@contextmanager
+def waiting(what):
+    """Shows for how long the block has run, a line a second: where nobody can tell how far it is."""
+    start, is_over = time.monotonic(), threading.Event()
+
+    def tell():
+        while not is_over.wait(1):
+            announce(f"{what}: {time.monotonic() - start:.0f} s")
+
+    teller = threading.Thread(target=tell)
+    teller.start()
+    try:
+        yield
+    finally:
+        is_over.set()
+        teller.join()
 
 
 @contextmanager

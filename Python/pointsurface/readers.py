@@ -33,7 +33,7 @@ from vtkmodules.vtkFiltersHyperTree import vtkHyperTreeGridToUnstructuredGrid
 from . import formats, scans
 from .clouds import make_cloud
 from .errors import UnreadableFile, complaints, silent
-from .progress import followed
+from .progress import followed, waiting
 
 
 def read(path, tell=False):
@@ -184,7 +184,8 @@ def _read_with_vtk(path, extension, form, tell):
         _require_reader(form, path)
         _require_cells(form, path)
     if form and form.is_tried:
-        _try(form, extension, path)
+        with waiting(f"reading {path} in a process of its own first") if tell else nullcontext():
+            _try(form, extension, path)
     with complaints() as said:
         reader = formats.make_reader(form, path) if form else _pcd_reader(path)
         can_tell = hasattr(reader, "AbortExecuteOn")  # importers cannot

@@ -39,6 +39,7 @@ from vtkmodules.vtkIOParallelXML import vtkXMLPartitionedDataSetCollectionWriter
 from vtkmodules.vtkIOXML import vtkXMLHyperTreeGridWriter, vtkXMLUniformGridAMRWriter
 
 from pointsurface import formats, readers, subjects
+from pointsurface.errors import UnreadableFile
 from pointsurface.formats import BY_CONTENT, FORMATS, NOT_READ
 from pointsurface.readers import read
 
@@ -826,12 +827,14 @@ def test_steps_and_cells_that_are_missing(tmp_path):
     check_fault(tmp_path / "columns.nc", "element_corners")
 
 
-def test_a_reader_that_does_not_come_to_an_end(tmp_path, monkeypatch):
+def test_a_reader_that_does_not_come_to_an_end(tmp_path, monkeypatch, capsys):
     """VTK's of Tecplot, on a file that ends amid its points."""
     path = tmp_path / "short.tec"
     path.write_text(TECPLOT[: len(TECPLOT) // 2])
-    monkeypatch.setattr("pointsurface.readers._TRIAL_SECONDS", 1.0)
-    check_fault(path, "cannot be read")
+    monkeypatch.setattr("pointsurface.readers._TRIAL_SECONDS", 2.0)
+    with pytest.raises(UnreadableFile, match="cannot be read"):
+        read(str(path), tell=True)
+    assert f"reading {path} in a process of its own first: 1 s" in capsys.readouterr().err
 
 
 def test_time_for_data_that_lie_in_another_file(tmp_path, monkeypatch):
