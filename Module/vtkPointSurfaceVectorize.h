@@ -36,6 +36,15 @@
 #define VTK_POINT_SURFACE_INLINE inline
 #endif
 
+// Fetches what an address points at into the cache, ahead of its use: to be read, or to be written.
+#if defined(__GNUC__)
+#define VTK_POINT_SURFACE_FETCH_TO_READ(address) __builtin_prefetch(address)
+#define VTK_POINT_SURFACE_FETCH_TO_WRITE(address) __builtin_prefetch(address, 1)
+#else
+#define VTK_POINT_SURFACE_FETCH_TO_READ(address)
+#define VTK_POINT_SURFACE_FETCH_TO_WRITE(address)
+#endif
+
 // Before a loop: its turns do not depend on each other; the same of a loop with a turn for each
 // lane, which would be written out otherwise; and: it is short, write its turns out.
 #if defined(__clang__)

@@ -28,6 +28,10 @@ constexpr int Parts = TileSize / PartSize;
 /// Points are sorted by one thread a group, whatever the number of threads is.
 constexpr size_t LargestNumberOfGroups = 32;
 
+/// Splats that are fetched into the cache before they are worked on.
+constexpr size_t ReadAhead = 6;
+constexpr size_t WrittenAhead = 12;
+
 constexpr float Far = 3e38f;
 
 enum Side
@@ -37,7 +41,8 @@ enum Side
 };
 }
 
-struct vtkSurfaceSplattingCPU::Splat
+/// As long as a line of the cache, so that none is read from two of them.
+struct alignas(64) vtkSurfaceSplattingCPU::Splat
 {
   float X, Y;    // of the centre, in pixels from the rectangle's corner
   float A, B, C; // e = A dx^2 + B dx dy + C dy^2
@@ -47,9 +52,9 @@ struct vtkSurfaceSplattingCPU::Splat
   float ReachX, ReachY; // of what is blended, in pixels
   float Tolerance;      // of depth
   float Nearest;        // least depth of what is blended
-  float Margin;         // below which e covers where nothing else is seen
-  unsigned int Id;
+  unsigned int Tag;     // twice the id, and 1 where it is face-on
 };
+static_assert(sizeof(vtkSurfaceSplattingCPU::Splat) == 64, "a splat is as long as a line");
 
 //------------------------------------------------------------------------------
 namespace
@@ -62,7 +67,7 @@ struct Shapes
   alignas(64) float A[Capacity], B[Capacity], C[Capacity];
   alignas(64) float Depth[Capacity], SlopeX[Capacity], SlopeY[Capacity];
   alignas(64) float ReachX[Capacity], ReachY[Capacity];
-  alignas(64) float Tolerance[Capacity], Nearest[Capacity], Margin[Capacity];
+  alignas(64) float Tolerance[Capacity], Nearest[Capacity];
   alignas(64) float Facing[Capacity];
   alignas(64) int X0[Capacity], Y0[Capacity], X1[Capacity], Y1[Capacity]; // see Box
 };
@@ -192,8 +197,6 @@ void MakeShapes(
     shapes.ReachY[i] = reachY;
     shapes.Tolerance[i] = tolerance;
     shapes.Nearest[i] = -z - lens.BlendRadius * radius;
-    shapes.Margin[i] = facing > Parameters::MarginCosine ? lens.BlendRadius * lens.BlendRadius
-                                                         : Parameters::CoreLimit;
     shapes.Facing[i] = facing;
   }
 }
@@ -225,39 +228,65 @@ public:
     {
       this->Blocks.Fetch(block, points);
       MakeShapes(points, this->MyLens, shapes);
-      for (int i = 0; i < points.Count; ++i)
-      {
-        this->Add(group, points, shapes, i);
-      }
+      this->Add(group, points, shapes);
     }
   }
 
 private:
-  void Add(
-    Group& group, const vtkPointProjectionCPU::EyePoints& points, const Shapes& shapes, int i) const
+  void Add(Group& group, const vtkPointProjectionCPU::EyePoints& points, const Shapes& shapes) const
   {
-    const Box box = { shapes.X0[i], shapes.Y0[i], shapes.X1[i], shapes.Y1[i] };
-    if (box.X0 > box.X1 || box.Y0 > box.Y1)
+    group.Reserve(points.Count);
+    // listed for both sides, without a branch that half of the points would take
+    Entry entries[2][Shapes::Capacity];
+    int count[2] = { 0, 0 };
+    for (int i = 0; i < points.Count; ++i)
     {
-      return;
+      const Box box = { shapes.X0[i], shapes.Y0[i], shapes.X1[i], shapes.Y1[i] };
+      if (box.X0 > box.X1 || box.Y0 > box.Y1)
+      {
+        continue;
+      }
+      const auto place = static_cast<unsigned int>(group.NumberOfSplats++);
+      VTK_POINT_SURFACE_FETCH_TO_WRITE(group.Splats.data() + place + WrittenAhead);
+      Write(points, shapes, i, group.Splats[place]);
+      if (this->Colors)
+      {
+        group.Colors.push_back(this->Blocks.GetColor(points.Place[i]));
+      }
+      const int isFront = shapes.Facing[i] >= 0.0f ? 1 : 0;
+      entries[Front][count[Front]] = { box, shapes.Nearest[i], place };
+      entries[Back][count[Back]] = { box, shapes.Nearest[i], place };
+      count[Front] += isFront;
+      count[Back] += 1 - isFront;
     }
-    const auto place = static_cast<unsigned int>(group.Splats.size());
-    group.Splats.push_back({ shapes.X[i], shapes.Y[i], shapes.A[i], shapes.B[i], shapes.C[i],
-      shapes.Depth[i], shapes.SlopeX[i], shapes.SlopeY[i],
-      { points.NormalX[i], points.NormalY[i], points.NormalZ[i] }, shapes.ReachX[i],
-      shapes.ReachY[i], shapes.Tolerance[i], shapes.Nearest[i], shapes.Margin[i], points.Id[i] });
-    if (this->Colors)
+    for (int i = 0; i < count[Front]; ++i)
     {
-      group.Colors.push_back(this->Blocks.GetColor(points.Place[i]));
+      this->Splatting->Sort(group.Tiles[Front], entries[Front][i]);
     }
-    if (shapes.Facing[i] >= 0.0f)
-    {
-      this->Splatting->Sort(group.Tiles[Front], place, box);
-    }
-    else
-    {
-      group.Backs.push_back({ box, shapes.Nearest[i], place });
-    }
+    group.Backs.insert(group.Backs.end(), entries[Back], entries[Back] + count[Back]);
+  }
+
+  /// Member by member: a whole splat would be made elsewhere first, and be waited for.
+  static void Write(
+    const vtkPointProjectionCPU::EyePoints& points, const Shapes& shapes, int i, Splat& splat)
+  {
+    splat.X = shapes.X[i];
+    splat.Y = shapes.Y[i];
+    splat.A = shapes.A[i];
+    splat.B = shapes.B[i];
+    splat.C = shapes.C[i];
+    splat.Depth = shapes.Depth[i];
+    splat.SlopeX = shapes.SlopeX[i];
+    splat.SlopeY = shapes.SlopeY[i];
+    splat.Normal[0] = points.NormalX[i];
+    splat.Normal[1] = points.NormalY[i];
+    splat.Normal[2] = points.NormalZ[i];
+    splat.ReachX = shapes.ReachX[i];
+    splat.ReachY = shapes.ReachY[i];
+    splat.Tolerance = shapes.Tolerance[i];
+    splat.Nearest = shapes.Nearest[i];
+    const bool isFaceOn = shapes.Facing[i] > vtkSurfaceSplatParameters::MarginCosine;
+    splat.Tag = 2 * points.Id[i] + (isFaceOn ? 1 : 0);
   }
 
   vtkSurfaceSplattingCPU* Splatting;
@@ -271,7 +300,7 @@ vtkSurfaceSplattingCPU::~vtkSurfaceSplattingCPU() = default;
 
 void vtkSurfaceSplattingCPU::Group::Clear()
 {
-  this->Splats.clear();
+  this->NumberOfSplats = 0;
   this->Colors.clear();
   this->Backs.clear();
   for (auto& tiles : this->Tiles)
@@ -280,6 +309,16 @@ void vtkSurfaceSplattingCPU::Group::Clear()
     {
       places.clear();
     }
+  }
+}
+
+/// Makes room for that many splats more; what was there is kept from frame to frame.
+void vtkSurfaceSplattingCPU::Group::Reserve(int count)
+{
+  const size_t size = this->NumberOfSplats + count;
+  if (size > this->Splats.size())
+  {
+    this->Splats.resize(std::max(size, 2 * this->Splats.size()));
   }
 }
 
@@ -312,41 +351,58 @@ void vtkSurfaceSplattingCPU::MakeSplats(const vtkSurfaceSplatParameters& paramet
 }
 
 void vtkSurfaceSplattingCPU::Sort(
-  std::vector<std::vector<unsigned int>>& tiles, unsigned int place, const Box& box) const
+  std::vector<std::vector<unsigned int>>& tiles, const Entry& entry) const
 {
+  const Box& box = entry.Pixels;
   for (int row = box.Y0 / TileSize; row <= box.Y1 / TileSize; ++row)
   {
     for (int column = box.X0 / TileSize; column <= box.X1 / TileSize; ++column)
     {
-      tiles[static_cast<size_t>(row) * this->Columns + column].push_back(place);
+      tiles[static_cast<size_t>(row) * this->Columns + column].push_back(entry.Place);
     }
   }
 }
 
-/// Whether the front is before all that a splat of the back could be blended with.
-bool vtkSurfaceSplattingCPU::IsHidden(const BackSplat& back) const
+namespace
 {
-  const int stride = this->Columns * Parts;
-  for (int row = back.Pixels.Y0 / PartSize; row <= back.Pixels.Y1 / PartSize; ++row)
+/// The largest value of the parts of pixels that a box of pixels, the last ones included, reaches.
+VTK_POINT_SURFACE_INLINE float GetLargest(
+  const float* parts, int stride, int x0, int y0, int x1, int y1)
+{
+  const int left = x0 / PartSize;
+  const int right = x1 / PartSize;
+  const float* low = parts + static_cast<size_t>(y0 / PartSize) * stride;
+  const float* high = parts + static_cast<size_t>(y1 / PartSize) * stride;
+  // of all but large boxes these are all parts, with nothing to be guessed of loops
+  const float below = low[left] > low[right] ? low[left] : low[right];
+  const float above = high[left] > high[right] ? high[left] : high[right];
+  float largest = below > above ? below : above;
+  if (right - left > 1 || high - low > stride)
   {
-    for (int column = back.Pixels.X0 / PartSize; column <= back.Pixels.X1 / PartSize; ++column)
+    for (const float* row = low; row <= high; row += stride)
     {
-      if (back.Nearest < this->Farthest[static_cast<size_t>(row) * stride + column])
-      {
-        return false;
-      }
+      largest = std::max(largest, *std::max_element(row + left, row + right + 1));
     }
   }
-  return true;
+  return largest;
+}
+}
+
+/// Whether the front is before all that a splat of the back could be blended with.
+bool vtkSurfaceSplattingCPU::IsHidden(const Entry& back) const
+{
+  const Box& box = back.Pixels;
+  return back.Nearest >=
+    GetLargest(this->Farthest.data(), this->Columns * Parts, box.X0, box.Y0, box.X1, box.Y1);
 }
 
 void vtkSurfaceSplattingCPU::SortBacks(Group& group) const
 {
-  for (const BackSplat& back : group.Backs)
+  for (const Entry& back : group.Backs)
   {
     if (!this->IsHidden(back))
     {
-      this->Sort(group.Tiles[Back], back.Place, back.Pixels);
+      this->Sort(group.Tiles[Back], back);
     }
   }
 }
@@ -449,15 +505,7 @@ VTK_POINT_SURFACE_INLINE Span MakeSpan(
 /// The farthest visible depth in the parts of the tile that a span reaches.
 VTK_POINT_SURFACE_INLINE float GetFarthest(const float* parts, const Span& span)
 {
-  float farthest = -Far;
-  for (int row = span.Y0 / PartSize; row <= span.Y1 / PartSize; ++row)
-  {
-    for (int column = span.X0 / PartSize; column <= span.X1 / PartSize; ++column)
-    {
-      farthest = std::max(farthest, parts[row * Parts + column]);
-    }
-  }
-  return farthest;
+  return GetLargest(parts, Parts, span.X0, span.Y0, span.X1, span.Y1);
 }
 
 /// The largest value in each of the parts of a row of parts, of `values` by column.
@@ -489,20 +537,24 @@ void FindFarthest(const float* depths, float* parts)
   }
 }
 
-/// The least depths of the splats where e is below the limit, or their own margin if the limit is
-/// 0; those of the back with the tolerance added. Splats that are farther than all of `hiding` in
-/// the parts that they reach are left out.
+/// The least depths of the splats where e is below the limit, which those that are face-on have one
+/// of their own for; those of the back with the tolerance added. Splats that are farther than all
+/// of `hiding` in the parts that they reach are left out.
 VTK_POINT_SURFACE_CLONES
 void FindDepths(const vtkSurfaceSplattingCPU::Splat* splats,
   const std::vector<unsigned int>& places, const int* corner, const Clipping& clipping, float share,
-  float givenLimit, bool back, const float* hiding, float* depths)
+  float limitOfOthers, float limitFaceOn, bool back, const float* hiding, float* depths)
 {
-  for (const unsigned int place : places)
+  const size_t count = places.size();
+  for (size_t turn = 0; turn < count; ++turn)
   {
+    const unsigned int place = places[turn];
+    const size_t next = turn + ReadAhead < count ? turn + ReadAhead : turn;
+    VTK_POINT_SURFACE_FETCH_TO_READ(splats + places[next]);
     const vtkSurfaceSplattingCPU::Splat splat = splats[place]; // that no write below can change
     const Span span = MakeSpan(splat, corner, share);
     const float added = back ? splat.Tolerance : 0.0f;
-    const float limit = givenLimit > 0.0f ? givenLimit : splat.Margin;
+    const float limit = splat.Tag % 2 == 1 ? limitFaceOn : limitOfOthers;
     if (span.IsEmpty() || (hiding && splat.Nearest + added >= GetFarthest(hiding, span)))
     {
       continue;
@@ -552,8 +604,12 @@ VTK_POINT_SURFACE_INLINE void BlendSplats(const vtkSurfaceSplattingCPU::Splat* s
 {
   const float* visible = planes.Visible[back ? Back : Front];
   const float* farthest = planes.Farthest[back ? Back : Front];
-  for (const unsigned int place : places)
+  const size_t count = places.size();
+  for (size_t turn = 0; turn < count; ++turn)
   {
+    const unsigned int place = places[turn];
+    const size_t next = turn + ReadAhead < count ? turn + ReadAhead : turn;
+    VTK_POINT_SURFACE_FETCH_TO_READ(splats + places[next]);
     const vtkSurfaceSplattingCPU::Splat splat = splats[place]; // that no write below can change
     const Span span = MakeSpan(splat, corner, 1.0f);
     // as the visible depths of the back have it, so that the difference is the tolerance too
@@ -562,7 +618,7 @@ VTK_POINT_SURFACE_INLINE void BlendSplats(const vtkSurfaceSplattingCPU::Splat* s
     {
       continue;
     }
-    const unsigned int id = splat.Id + 1;
+    const unsigned int id = splat.Tag / 2 + 1;
     for (int x = span.X0; x <= span.X1; x += Lanes)
     {
       float quadratic[Lanes];
@@ -803,7 +859,8 @@ public:
       for (const Group& group : splatting->Groups)
       {
         FindDepths(group.Splats.data(), group.Tiles[Front][tile], corner, clipping, 1.0f,
-          showingBack ? blend * blend : 0.0f, false, planes.Gaps, planes.Margin);
+          showingBack ? blend * blend : vtkSurfaceSplatParameters::CoreLimit, blend * blend, false,
+          planes.Gaps, planes.Margin);
       }
       CloseGaps(showingBack, planes.Visible[Front], planes.Visible[Back], planes.Margin);
     }
@@ -816,7 +873,12 @@ public:
       ids ? (colors ? BlendBoth : BlendIds) : (colors ? BlendColors : BlendPlain);
     for (int side : { Front, Back })
     {
-      FindFarthest(planes.Visible[side], planes.Farthest[side]);
+      float* farthest = planes.Farthest[side];
+      FindFarthest(planes.Visible[side], farthest);
+      if (*std::max_element(farthest, farthest + Parts * Parts) == -Far)
+      {
+        continue; // none of this side is seen
+      }
       for (const Group& group : splatting->Groups)
       {
         blendSplats(group.Splats.data(), group.Colors.data(), group.Tiles[side][tile], corner,
@@ -840,7 +902,8 @@ private:
     for (const Group& group : splatting->Groups)
     {
       FindDepths(group.Splats.data(), group.Tiles[side][tile], corner, clipping, share,
-        vtkSurfaceSplatParameters::CoreLimit, side == Back, nullptr, depths);
+        vtkSurfaceSplatParameters::CoreLimit, vtkSurfaceSplatParameters::CoreLimit, side == Back,
+        nullptr, depths);
     }
   }
 

@@ -47,8 +47,8 @@ private:
     int X0, Y0, X1, Y1;
   };
 
-  /// What tells whether a splat of the back is hidden.
-  struct BackSplat
+  /// What tells which tiles a splat goes into, and whether one of the back is hidden.
+  struct Entry
   {
     Box Pixels;
     float Nearest;
@@ -59,18 +59,19 @@ private:
   /// reach a tile: of the front and of the back.
   struct Group
   {
-    std::vector<Splat> Splats;
+    std::vector<Splat> Splats; // with room for more
+    size_t NumberOfSplats = 0;
     std::vector<std::array<float, 4>> Colors;
-    std::vector<BackSplat> Backs;
+    std::vector<Entry> Backs;
     std::array<std::vector<std::vector<unsigned int>>, 2> Tiles;
     void Clear();
+    void Reserve(int count);
   };
   class Maker;
   class Tile;
 
-  void Sort(
-    std::vector<std::vector<unsigned int>>& tiles, unsigned int place, const Box& box) const;
-  bool IsHidden(const BackSplat& back) const;
+  void Sort(std::vector<std::vector<unsigned int>>& tiles, const Entry& entry) const;
+  bool IsHidden(const Entry& back) const;
   void SortBacks(Group& group) const;
   bool IsEmpty(int tile, int side) const;
   float* GetFrontDepths(int tile);
