@@ -14,6 +14,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
+#include "vtkMinimalStandardRandomSequence.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -252,37 +253,120 @@ private:
   std::array<double, NumberOfValues> Values{};
 };
 
-// The points of a piece that each of the other ranks needs.
-std::vector<vtkSmartPointer<vtkIdList>> FindNear(vtkPolyData* piece,
-  const vtkDrawablePoints& drawable, double reach, const std::vector<Region>& regions, int rank)
+// Calls visit(id, x) for each point of a piece that is the rank's own and finite.
+template <class Visit>
+void VisitOwn(vtkPolyData* piece, const Visit& visit)
 {
-  std::vector<vtkSmartPointer<vtkIdList>> near(regions.size());
-  for (auto& ids : near)
-  {
-    ids = vtkSmartPointer<vtkIdList>::New();
-  }
   auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
     piece->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   for (vtkIdType id = 0; id < piece->GetNumberOfPoints(); ++id)
   {
     double x[3];
     piece->GetPoint(id, x);
-    if (ghosts->GetValue(id) || !IsFinite(x))
+    if (!ghosts->GetValue(id) && IsFinite(x))
     {
-      continue;
-    }
-    const double distance = reach * GetRadius(drawable, id);
-    for (std::size_t other = 0; other < regions.size(); ++other)
-    {
-      const vtkBoundingBox& box = regions[other].GetBox();
-      if (static_cast<int>(other) != rank && box.IsValid() &&
-        Distance2(box, x) <= distance * distance)
-      {
-        near[other]->InsertNextId(id);
-      }
+      visit(id, x);
     }
   }
+}
+
+// Ids of a piece's points, in rising order, for each rank.
+using Choice = std::vector<vtkSmartPointer<vtkIdList>>;
+
+Choice ChooseNone(std::size_t ranks)
+{
+  Choice none(ranks);
+  for (auto& ids : none)
+  {
+    ids = vtkSmartPointer<vtkIdList>::New();
+  }
+  return none;
+}
+
+// Whether a rank may need points of this one.
+bool IsOther(const std::vector<Region>& regions, std::size_t other, int rank)
+{
+  return static_cast<int>(other) != rank && regions[other].GetBox().IsValid();
+}
+
+// The points of a piece that are within reach of each of the other ranks.
+Choice FindNear(vtkPolyData* piece, const vtkDrawablePoints& drawable, double reach,
+  const std::vector<Region>& regions, int rank)
+{
+  Choice near = ChooseNone(regions.size());
+  VisitOwn(piece,
+    [&](vtkIdType id, const double x[3])
+    {
+      const double distance = reach * GetRadius(drawable, id);
+      for (std::size_t other = 0; other < regions.size(); ++other)
+      {
+        if (IsOther(regions, other, rank) &&
+          Distance2(regions[other].GetBox(), x) <= distance * distance)
+        {
+          near[other]->InsertNextId(id);
+        }
+      }
+    });
   return near;
+}
+
+// The share that each rank gets of what all others have beyond its reach.
+std::vector<double> FindShares(const Pieces& pieces, const std::vector<Choice>& near,
+  const std::vector<Region>& regions, vtkIdType limit, vtkMultiProcessController* controller)
+{
+  const int rank = controller->GetLocalProcessId();
+  std::vector<double> beyond(regions.size(), 0.0);
+  for (std::size_t leaf = 0; leaf < pieces.size(); ++leaf)
+  {
+    double own = 0.0;
+    if (pieces[leaf])
+    {
+      VisitOwn(pieces[leaf], [&own](vtkIdType, const double*) { own += 1.0; });
+    }
+    for (std::size_t other = 0; pieces[leaf] && other < regions.size(); ++other)
+    {
+      beyond[other] += IsOther(regions, other, rank)
+        ? own - static_cast<double>(near[leaf][other]->GetNumberOfIds())
+        : 0.0;
+    }
+  }
+  std::vector<double> shares(regions.size());
+  controller->AllReduce(
+    beyond.data(), shares.data(), static_cast<vtkIdType>(shares.size()), vtkCommunicator::SUM_OP);
+  for (double& share : shares)
+  {
+    share = static_cast<double>(limit) / std::max(share, static_cast<double>(limit));
+  }
+  return shares;
+}
+
+// Shares of the other points of a piece, by chance.
+Choice ChooseDistant(vtkPolyData* piece, const Choice& near, const std::vector<double>& shares,
+  const std::vector<Region>& regions, int rank)
+{
+  Choice distant = ChooseNone(regions.size());
+  std::vector<vtkIdType> next(regions.size(), 0); // of those near to each rank
+  vtkNew<vtkMinimalStandardRandomSequence> lots;
+  lots->Initialize(rank + 1);
+  VisitOwn(piece,
+    [&](vtkIdType id, const double*)
+    {
+      lots->Next();
+      const double lot = lots->GetValue();
+      for (std::size_t other = 0; other < regions.size(); ++other)
+      {
+        vtkIdType& place = next[other];
+        if (place < near[other]->GetNumberOfIds() && near[other]->GetId(place) == id)
+        {
+          ++place;
+        }
+        else if (IsOther(regions, other, rank) && lot < shares[other])
+        {
+          distant[other]->InsertNextId(id);
+        }
+      }
+    });
+  return distant;
 }
 
 Piece Extract(vtkPolyData* piece, vtkIdList* ids)
@@ -361,6 +445,48 @@ void ReceiveParts(
       parts[leaf].push_back(part);
     }
   }
+}
+
+// Sends each rank copies of what was chosen for it, and receives those for this rank, by leaf.
+std::vector<Pieces> Exchange(
+  const Pieces& pieces, const std::vector<Choice>& chosen, vtkMultiProcessController* controller)
+{
+  const int rank = controller->GetLocalProcessId();
+  const int ranks = controller->GetNumberOfProcesses();
+  const std::size_t leaves = pieces.size();
+  std::vector<Pieces> toSend(ranks, Pieces(leaves));
+  Counts sent(ranks, leaves);
+  for (std::size_t leaf = 0; leaf < leaves; ++leaf)
+  {
+    for (int other = 0; pieces[leaf] && other < ranks; ++other)
+    {
+      vtkIdList* ids = chosen[leaf][other];
+      sent.At(other, leaf) = ids->GetNumberOfIds();
+      if (ids->GetNumberOfIds() > 0)
+      {
+        toSend[other][leaf] = Extract(pieces[leaf], ids);
+      }
+    }
+  }
+  Counts received = sent.Exchange(controller);
+  // Pairs of ranks in one order on all of them, so that no rank waits for one that waits for it.
+  std::vector<Pieces> parts(leaves);
+  for (int other = 0; other < ranks; ++other)
+  {
+    if (rank < other)
+    {
+      SendParts(controller, other, toSend[other]);
+    }
+    if (rank != other)
+    {
+      ReceiveParts(controller, other, received, parts);
+    }
+    if (rank > other)
+    {
+      SendParts(controller, other, toSend[other]);
+    }
+  }
+  return parts;
 }
 
 // The points that count of a rank's own, and then the copies.
@@ -523,54 +649,42 @@ int vtkGhostPointsGenerator::RequestData(
     }
   }
 
-  // What goes to which rank.
-  std::vector<Pieces> toSend(ranks, Pieces(leaves));
-  Counts sent(ranks, leaves);
+  std::vector<Choice> near(leaves); // what goes to which rank
   for (std::size_t leaf = 0; leaf < leaves; ++leaf)
   {
-    if (!pieces[leaf])
+    if (pieces[leaf])
     {
-      continue;
-    }
-    const auto near = FindNear(pieces[leaf], drawable[leaf], this->Reach, regions, rank);
-    for (int other = 0; other < ranks; ++other)
-    {
-      sent.At(other, leaf) = near[other]->GetNumberOfIds();
-      if (near[other]->GetNumberOfIds() > 0)
-      {
-        toSend[other][leaf] = Extract(pieces[leaf], near[other]);
-      }
+      near[leaf] = FindNear(pieces[leaf], drawable[leaf], this->Reach, regions, rank);
     }
   }
-  Counts received = sent.Exchange(this->Controller);
-  this->UpdateProgress(0.5);
-
-  // Pairs of ranks in one order on all of them, so that no rank waits for one that waits for it.
-  std::vector<Pieces> ghosts(leaves);
-  for (int other = 0; other < ranks; ++other)
-  {
-    if (rank < other)
-    {
-      SendParts(this->Controller, other, toSend[other]);
-    }
-    if (rank != other)
-    {
-      ReceiveParts(this->Controller, other, received, ghosts);
-    }
-    if (rank > other)
-    {
-      SendParts(this->Controller, other, toSend[other]);
-    }
-  }
-  this->UpdateProgress(0.8);
+  this->UpdateProgress(0.4);
+  std::vector<Pieces> ghosts = Exchange(pieces, near, this->Controller);
+  this->UpdateProgress(0.6);
 
   double samplingDistance = 0.0;
   if (this->SamplingQuantile >= 0.0 && this->Radius <= 0.0)
   {
-    this->SetProgressShiftScale(0.8, 0.2);
+    this->SetProgressShiftScale(0.6, 0.2);
     samplingDistance = FindSamplingDistance(
       { pieces, drawable, ghosts }, this->SamplingQuantile, this->Controller, this);
     this->SetProgressShiftScale(0.0, 1.0);
+  }
+  if (this->DistantPoints > 0)
+  {
+    const auto shares = FindShares(pieces, near, regions, this->DistantPoints, this->Controller);
+    std::vector<Choice> distant(leaves);
+    for (std::size_t leaf = 0; leaf < leaves; ++leaf)
+    {
+      if (pieces[leaf])
+      {
+        distant[leaf] = ChooseDistant(pieces[leaf], near[leaf], shares, regions, rank);
+      }
+    }
+    const std::vector<Pieces> parts = Exchange(pieces, distant, this->Controller);
+    for (std::size_t leaf = 0; leaf < leaves; ++leaf)
+    {
+      ghosts[leaf].insert(ghosts[leaf].end(), parts[leaf].begin(), parts[leaf].end());
+    }
   }
   const vtkSmartPointer<vtkDoubleArray> whole = Region::Join(regions, samplingDistance);
   for (std::size_t leaf = 0; leaf < leaves; ++leaf)
@@ -602,5 +716,6 @@ void vtkGhostPointsGenerator::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "SamplingQuantile: " << this->SamplingQuantile << "\n";
+  os << indent << "DistantPoints: " << this->DistantPoints << "\n";
   os << indent << "NumberOfGhostPoints: " << this->NumberOfGhostPoints << "\n";
 }

@@ -20,7 +20,7 @@
  * Field data `vtkWholeCloud` (9 doubles) tell the mappers the bounds of all ranks' points, the mean
  * and the largest radius, and the sampling distance: by these they choose how fine an image is, how
  * deep a pyramid. Give the mappers the radii that this filter has, and vtkDirectPointMapper the
- * same quantile.
+ * same quantile. That mapper needs some DistantPoints besides.
  *
  * Radii are those that the mappers take, by the same rules: RadiusArray, else Radius, else an array
  * `radius`, else those of vtkPointSpacing, which takes some time. Point arrays that do not have a
@@ -101,6 +101,18 @@ public:
   vtkGetMacro(SamplingQuantile, double);
   ///@}
 
+  ///@{
+  /**
+   * About how many points of others a rank gets at most that are farther than its reach, where
+   * vtkDirectPointMapper draws: what a plane is fitted to depends on what hides the points behind
+   * it, which may be anywhere before them. Of that many, and fewer, it gets all, and the picture is
+   * that of one process; else as many by chance, and single pixels at outlines may be left out.
+   * Other mappers would draw these points to no avail. Default: 0, none.
+   */
+  vtkSetClampMacro(DistantPoints, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(DistantPoints, vtkIdType);
+  ///@}
+
   /**
    * How many points this rank got when the filter last ran.
    */
@@ -124,6 +136,7 @@ private:
   std::string RadiusArray;
   double Radius = 0.0;
   double SamplingQuantile = 0.98;
+  vtkIdType DistantPoints = 0;
   vtkIdType NumberOfGhostPoints = 0;
 };
 

@@ -32,6 +32,8 @@ REACH = 3.0
 LARGE = 0.1  # a radius, and two ways to tell it
 TOLD = ("RadiusArray", "size"), ("Radius", LARGE)
 QUANTILES = (-1.0, 0.0, 0.5, 0.98)
+DISTANT = 0, 1000, 10**6  # points beyond the reach that are asked for
+TURNS = 3  # views of balls
 
 
 def rank_of(points):
@@ -47,6 +49,40 @@ def whole_of(mapper_class):
     data.GetPointData().AddArray(numpy_to_vtk(np.arange(data.GetNumberOfPoints()), deep=True))
     data.GetPointData().GetArray(data.GetPointData().GetNumberOfArrays() - 1).SetName("number")
     return data
+
+
+def positions_only(points, radii):
+    data = vtkPolyData()
+    data.SetPoints(vtkPoints())
+    data.GetPoints().SetData(array(points))
+    data.GetPointData().AddArray(array(radii, "radius"))
+    return data
+
+
+def balls():
+    """Positions on balls at random places: many an outline of a far one comes out behind that of a near one."""
+    count, each, size = 60, 200, 0.15
+    i = np.arange(each) + 0.5
+    z, angle = 1 - 2 * i / each, np.pi * (1 + 5**0.5) * i
+    r = np.sqrt(1 - z * z)
+    ball = size * np.stack([r * np.cos(angle), r * np.sin(angle), z], axis=-1)
+    places = np.random.default_rng(3).uniform(-1, 1, (count, 1, 3))
+    return positions_only((places + ball).reshape(-1, 3), np.full(count * each, 1.5 * size * np.sqrt(4 * np.pi / each)))
+
+
+def pictures_of_balls(scene, backend):
+    """Colours and depths from TURNS sides."""
+    scene.mapper.SetBackend(getattr(vtkDirectPointMapper, backend))
+    scene.camera.SetPosition(1.2, -3.0, 2.4)
+    scene.camera.SetViewAngle(30)
+    scene.renderer.ResetCamera(balls().GetBounds())
+    scene.camera.Zoom(1.6)
+    pictures = []
+    for _ in range(TURNS):
+        scene.camera.Azimuth(50)
+        scene.renderer.ResetCameraClippingRange(balls().GetBounds())
+        pictures.append((scene.color(), scene.depth()))
+    return [np.stack(layers) for layers in zip(*pictures)]
 
 
 def numpy_of(data, name):
@@ -131,6 +167,22 @@ def run_rank(folder):
             results[f"{mapper_class.__name__}/{name}/color"] = scene.color()
             results[f"{mapper_class.__name__}/{name}/depth"] = scene.depth()
 
+    # Points beyond the reach.
+    whole = whole_of(MAPPERS[0])
+    own = part_of(whole, rank_of(positions(whole)) == rank)
+    for limit in DISTANT:
+        output, ghosts = with_ghosts(own, DistantPoints=limit)
+        keep(f"distant{limit}", output)
+        results[f"distant{limit}/ghosts"] = ghosts
+    whole = balls()
+    own = part_of(whole, rank_of(positions(whole)) == rank)
+    for limit in (0, DISTANT[-1]):
+        output, _ = with_ghosts(own, reach=vtkGhostPointsGenerator().GetReach(), DistantPoints=limit)
+        scene = Scene(vtkDirectPointMapper, output, bounds=whole.GetBounds())
+        for backend in BACKENDS:
+            key = f"balls{limit}/{backend}"
+            results[key + "/color"], results[key + "/depth"] = pictures_of_balls(scene, backend)
+
     # Trees: the upper half of the torus is a block, the lower one another; rank 1 has no upper one.
     whole = whole_of(MAPPERS[0])
     upper = positions(whole)[:, 2] > 0
@@ -144,6 +196,10 @@ def run_rank(folder):
     for block in range(2):
         if output.GetBlock(block):
             keep(f"block{block}", output.GetBlock(block))
+    output, _ = with_ghosts(tree, DistantPoints=DISTANT[-1])
+    for block in range(2):
+        if output.GetBlock(block):
+            keep(f"distant-block{block}", output.GetBlock(block))
 
     # A radius that is larger than the cloud.
     cloud = torus_cloud(8000)
@@ -285,6 +341,46 @@ def test_blocks_of_a_tree(ranks):
             check_ghosts(ranks[rank], f"block{block}", whole, own, ghosts[chosen[ghosts]])
 
 
+def beyond(points, owner, radii, rank):
+    """The numbers of the points of others that a rank does not need for its surface."""
+    return np.setdiff1d(np.nonzero((owner != rank) & (owner >= 0))[0], needed(points, owner, radii, rank))
+
+
+def test_ranks_get_distant_points(ranks):
+    """All of them, or about as many by chance as are asked for, from all places, after those that are near."""
+    whole = whole_of(MAPPERS[0])
+    points, radii = positions(whole), numpy_of(whole, "radius")
+    owner = rank_of(points)
+    for rank in range(RANKS):
+        near, far = needed(points, owner, radii, rank), beyond(points, owner, radii, rank)
+        assert len(far) > 3 * DISTANT[1]
+        for limit, count in ((0, 0), (DISTANT[1], DISTANT[1]), (DISTANT[-1], len(far))):
+            result, name = ranks[rank], f"distant{limit}"
+            ghosts = result[name + "/number"][np.count_nonzero(owner == rank) :]
+            chosen = ghosts[len(near) :]
+            check_ghosts(result, name, whole, np.nonzero(owner == rank)[0], ghosts)
+            assert set(ghosts[: len(near)]) == set(near) and set(chosen) <= set(far)
+            assert result[name + "/ghosts"] == len(ghosts)
+            assert abs(len(chosen) - count) <= (0.1 * count if count < len(far) else 0)
+            for other in set(range(RANKS)) - {rank} if count else ():
+                share = np.count_nonzero(owner[chosen] == other) / np.count_nonzero(owner[far] == other)
+                assert share == pytest.approx(len(chosen) / len(far), rel=0.2)
+    assert ranks[EMPTY][f"distant{DISTANT[-1]}/ghosts"] == 0
+
+
+def test_distant_points_stay_in_their_blocks(ranks):
+    whole = whole_of(MAPPERS[0])
+    points = positions(whole)
+    owner = rank_of(points)
+    upper = points[:, 2] > 0
+    owner[upper & (owner == 1)] = -1  # that block was left out
+    for rank in range(RANKS):
+        for block, chosen in enumerate((upper, ~upper)):
+            own = np.nonzero((owner == rank) & chosen)[0]
+            others = np.nonzero((owner != rank) & (owner >= 0) & chosen)[0]
+            check_ghosts(ranks[rank], f"distant-block{block}", whole, own, others)
+
+
 def test_trees_that_differ_are_an_error(ranks):
     for result in ranks:
         assert tuple(result["differing"]) == (1, 0, 0)
@@ -351,30 +447,48 @@ def test_radii_are_judged_by_the_whole(mapper_class):
     assert covered > (0 if mapper_class is vtkImageSpacePointMapper else 100)  # which fills between points alone
 
 
-def composite(ranks, mapper_class, name):
+def composite(ranks, name):
     """Of each pixel what the nearest rank drew."""
-    colors = np.stack([result[f"{mapper_class.__name__}/{name}/color"] for result in ranks])
-    depths = np.stack([result[f"{mapper_class.__name__}/{name}/depth"] for result in ranks])
+    colors = np.stack([result[name + "/color"] for result in ranks])
+    depths = np.stack([result[name + "/depth"] for result in ranks])
     nearest = depths.argmin(axis=0)
-    rows, columns = np.indices(nearest.shape)
-    return colors[nearest, rows, columns], depths.min(axis=0)
+    return np.take_along_axis(colors, nearest[None, ..., None], axis=0)[0], depths.min(axis=0)
+
+
+def compare(parallel, serial, name):
+    """The mean difference in grey levels over what either covers, pixels that are left out, and pixels that are more."""
+    (parallel_color, parallel_depth), (color, depth) = parallel, serial
+    difference = 255 * np.abs(parallel_color - color)[(depth < 1) | (parallel_depth < 1)].mean()
+    unfilled = int(((depth < 1) & (parallel_depth == 1)).sum())
+    more = int(((depth == 1) & (parallel_depth < 1)).sum())
+    print(f"{name}: {difference:.4f} grey levels, {unfilled} unfilled, {more} more, of {(depth < 1).sum()} pixels")
+    return difference, unfilled, more
 
 
 @pytest.mark.parametrize("mapper_class", MAPPERS)
 def test_pictures_are_that_of_the_whole(ranks, mapper_class):
     scene = Scene(mapper_class, whole_of(mapper_class))
-    color, depth = scene.color(), scene.depth()
+    serial = scene.color(), scene.depth()
     measured = {}
     for name in ("with", "without"):
-        parallel, parallel_depth = composite(ranks, mapper_class, name)
-        covered = (depth < 1) | (parallel_depth < 1)
-        difference = 255 * np.abs(parallel - color)[covered].mean()
-        unfilled = int(((depth < 1) & (parallel_depth == 1)).sum())
-        more = int(((depth == 1) & (parallel_depth < 1)).sum())
-        measured[name] = difference, unfilled
-        print(f"{mapper_class.__name__}, {name}: {difference:.4f} grey levels, {unfilled} unfilled, {more} more")
+        key = f"{mapper_class.__name__}/{name}"
+        measured[name] = compare(composite(ranks, key), serial, key)
     assert measured["with"][0] < 1 and measured["with"][1] == 0
     assert measured["with"][0] < measured["without"][0]
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_distant_points_make_the_pictures_the_same(ranks, backend):
+    """What a plane is fitted to, and so how far a splat of it reaches, depends on what is hidden by what is anywhere before
+    it: with no points beyond the reach some pixels are left out at outlines that come out behind others, and some more."""
+    serial = pictures_of_balls(Scene(vtkDirectPointMapper, balls()), backend)
+    near, distant = (
+        compare(composite(ranks, f"balls{limit}/{backend}"), serial, f"balls, {limit} distant points")
+        for limit in (0, DISTANT[-1])
+    )
+    assert near[1] > 10  # or this tells nothing
+    assert distant[1] == distant[2] == 0
+    assert distant[0] < 0.01
 
 
 def parts_of(points, radii, distance):
@@ -391,14 +505,6 @@ def parts_of(points, radii, distance):
         part.GetPointData().AddArray(array(ghosts, vtkDataSetAttributes.GhostArrayName(), np.uint8))
         part.GetFieldData().AddArray(array(told, "vtkWholeCloud", np.float64))
         yield part
-
-
-def positions_only(points, radii):
-    data = vtkPolyData()
-    data.SetPoints(vtkPoints())
-    data.GetPoints().SetData(array(points))
-    data.GetPointData().AddArray(array(radii, "radius"))
-    return data
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
