@@ -239,4 +239,4 @@ simple.ResetCamera(view)
 simple.Hide(model, view)
 for system in ("Pull-Push", "Image-Space"):
     draw(view, f"dragon-{system}", model, system, limit=0.3)
-draw(view, "dragon-Direct", model, "Direct", allowed=1)  # at an outline; see Parallel.md
+draw(view, "dragon-Direct", model, "Direct")

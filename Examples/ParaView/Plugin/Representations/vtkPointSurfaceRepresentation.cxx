@@ -126,7 +126,8 @@ int vtkPointSurfaceRepresentation::RequestData(
   this->Ghosts->SetSamplingQuantile(this->System != DIRECT ? -1.0
       : this->Published                                    ? 0.0
                                                            : usual->GetSamplingQuantile());
-  this->Ghosts->SetDistantPoints(this->System == DIRECT ? 1000000 : 0);
+  constexpr vtkIdType DistantPoints = 1000000; // some 35 ms of a processor in a picture
+  this->Ghosts->SetDistantPoints(this->System == DIRECT ? DistantPoints : 0);
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);
   vtkVLogF(PARAVIEW_LOG_RENDERING_VERBOSITY(),
     "%s: %lld points, %lld of them copies of other ranks'", this->GetLogName().c_str(),
