@@ -20,7 +20,7 @@
  * Field data `vtkWholeCloud` (9 doubles) tell the mappers the bounds of all ranks' points, the mean
  * and the largest radius, and the sampling distance: by these they choose how fine an image is, how
  * deep a pyramid. Give the mappers the radii that this filter has, and vtkDirectPointMapper the
- * same quantile. That mapper needs some DistantPoints besides.
+ * same quantile; it needs DistantPoints besides.
  *
  * Radii are those that the mappers take, by the same rules: RadiusArray, else Radius, else an array
  * `radius`, else those of vtkPointSpacing, which takes some time. Point arrays that do not have a

@@ -126,7 +126,7 @@ int vtkPointSurfaceRepresentation::RequestData(
   this->Ghosts->SetSamplingQuantile(this->System != DIRECT ? -1.0
       : this->Published                                    ? 0.0
                                                            : usual->GetSamplingQuantile());
-  constexpr vtkIdType DistantPoints = 1000000; // some 35 ms of a processor in a picture
+  constexpr vtkIdType DistantPoints = 1000000; // the price is in Parallel.md
   this->Ghosts->SetDistantPoints(this->System == DIRECT ? DistantPoints : 0);
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);
   vtkVLogF(PARAVIEW_LOG_RENDERING_VERBOSITY(),
