@@ -352,6 +352,8 @@ void vtkPointProjectionCPU::SetPoints(const vtkDrawablePoints* points, vtkDataAr
     this->Positions = vtkSmartPointer<vtkDoubleArray>::New();
     this->Positions->DeepCopy(cloud->GetPoints()->GetData());
   }
+  this->Copies = {};
+  this->LastLevel = 0;
   const bool inFloats = this->Positions->GetDataType() == VTK_FLOAT;
   void* positions = this->Positions->GetVoidPointer(0);
   this->FloatPositions = inFloats ? static_cast<const float*>(positions) : nullptr;
@@ -435,8 +437,16 @@ struct vtkPointProjectionCPU::Part
     return static_cast<int>((this->Blocks.size() + ChunkBlocks - 1) / ChunkBlocks);
   }
 
+  /// What stands for the points one after the other, or nullptr where there are no copies.
+  const Representatives* GetCopies() const
+  {
+    const Representatives& copies = this->Source->Projection->Copies;
+    const int level = this->Source->Thinning;
+    return level > 0 && copies.Level == level ? &copies : nullptr;
+  }
+
   /// The points of a block: lists their places in the cloud and returns their number. `first` is
-  /// where they begin if they follow each other; else it is -1.
+  /// where they begin, in the cloud or among the copies, if they follow each other; else it is -1.
   int ListPoints(size_t block, unsigned int* places, vtkIdType& first) const
   {
     const Groups& groups = this->Blocks[block];
@@ -452,6 +462,15 @@ struct vtkPointProjectionCPU::Part
         places[i] = begin + i;
       }
       return count;
+    }
+    if (const Representatives* copies = this->GetCopies())
+    {
+      const auto begin = copies->Places.begin();
+      const auto from = std::lower_bound(begin + groups.First, begin + groups.End, groups.Range[0]);
+      const auto to = std::lower_bound(from, begin + groups.End, groups.Range[1]);
+      first = from - begin;
+      std::copy(from, to, places);
+      return static_cast<int>(to - from);
     }
     for (vtkIdType group = groups.First; group < groups.End; ++group)
     {
@@ -494,6 +513,13 @@ struct vtkPointProjectionCPU::Part
   {
     const vtkPointProjectionCPU& cloud = *this->Source->Projection;
     const double* origin = cloud.Origin.data();
+    const Representatives* copies = this->GetCopies();
+    if (copies && first >= 0)
+    {
+      const double zero[3] = { 0.0, 0.0, 0.0 };
+      LoadInOrder(block, count, &copies->Positions[3 * first], zero);
+      return;
+    }
     cloud.FloatPositions ? Load(block, first, count, cloud.FloatPositions, ownPlaces, origin)
                          : Load(block, first, count, cloud.DoublePositions, ownPlaces, origin);
   }
@@ -503,16 +529,98 @@ struct vtkPointProjectionCPU::Part
   {
     const vtkPointProjectionCPU& cloud = *this->Source->Projection;
     const double zero[3] = { 0.0, 0.0, 0.0 };
+    const Representatives* copies = this->GetCopies();
     if (cloud.Normals)
     {
-      Load(block, first, count, cloud.Normals, ownPlaces, zero);
+      const bool copied = copies && first >= 0;
+      Load(block, first, count, copied ? copies->Normals.data() : cloud.Normals, ownPlaces, zero);
     }
     else
     {
       block = {};
     }
   }
+
+  /// The same of radii.
+  void LoadRadii(float* radii, vtkIdType first, int count, const unsigned int* ownPlaces) const
+  {
+    const vtkPointProjectionCPU& cloud = *this->Source->Projection;
+    const Representatives* copies = this->GetCopies();
+    if (cloud.Radii && first >= 0)
+    {
+      std::copy_n((copies ? copies->Radii.data() : cloud.Radii) + first, count, radii);
+      return;
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      radii[i] = this->GetRadius(ownPlaces[i]);
+    }
+  }
+
+  /// The same of the ids of all clouds' points.
+  void LoadIds(unsigned int* ids, vtkIdType first, int count, const unsigned int* ownPlaces) const
+  {
+    const Representatives* copies = this->GetCopies();
+    if (copies && first >= 0)
+    {
+      const auto firstId = static_cast<unsigned int>(this->Source->FirstId);
+      std::transform(copies->Ids.begin() + first, copies->Ids.begin() + first + count, ids,
+        [firstId](unsigned int id) { return id + firstId; });
+      return;
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      ids[i] = this->GetId(ownPlaces[i]);
+    }
+  }
 };
+
+//------------------------------------------------------------------------------
+void vtkPointProjectionCPU::CopyRepresentatives(int level)
+{
+  Representatives& copies = this->Copies;
+  // not at once, as a level that lasts for one frame, or points that do, would gain nothing
+  const bool lasts = level == this->LastLevel;
+  this->LastLevel = level;
+  if (level == 0 || level == copies.Level || !lasts)
+  {
+    return;
+  }
+  const std::vector<unsigned int>& ids = this->Points->GetOrder().GetIds();
+  const auto points = static_cast<vtkIdType>(ids.size());
+  const vtkIdType count = vtkPointThinning::GetNumberOfGroups(points, level);
+  copies.Level = level;
+  copies.Places.resize(count);
+  copies.Ids.resize(count);
+  copies.Positions.resize(3 * count);
+  copies.Normals.resize(this->Normals ? 3 * count : 0);
+  copies.Radii.resize(this->Radii ? count : 0);
+  vtkSMPTools::For(0, count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        copies.Places[i] = vtkPointThinning::GetPoint(static_cast<unsigned int>(i), level);
+        // the last group may reach over the end, where nothing is read
+        const size_t place = std::min<size_t>(copies.Places[i], points - 1);
+        copies.Ids[i] = ids[place];
+        for (int k = 0; k < 3; ++k)
+        {
+          copies.Positions[3 * i + k] = this->FloatPositions
+            ? this->FloatPositions[3 * place + k] - static_cast<float>(this->Origin[k])
+            : static_cast<float>(this->DoublePositions[3 * place + k] - this->Origin[k]);
+        }
+        if (this->Normals)
+        {
+          std::copy_n(this->Normals + 3 * place, 3, &copies.Normals[3 * i]);
+        }
+        if (this->Radii)
+        {
+          copies.Radii[i] = this->Radii[place];
+        }
+      }
+    });
+}
 
 //------------------------------------------------------------------------------
 void vtkPointProjectionCPU::Draw(const std::vector<Cloud>& clouds,
@@ -853,10 +961,7 @@ void vtkPointProjectionCPU::FetchFootprints(const Part& part,
     places[i] = point.Place;
   }
   part.LoadNormals(points.Normals, -1, count, places);
-  for (int i = 0; i < count; ++i)
-  {
-    points.Radii[i] = part.GetRadius(places[i]);
-  }
+  part.LoadRadii(points.Radii, -1, count, places);
   FindFootprints(points, count, part.View, options);
 }
 
@@ -1145,23 +1250,28 @@ vtkPointProjectionCPU::EyeBlocks::~EyeBlocks() = default;
 void vtkPointProjectionCPU::EyeBlocks::Fetch(size_t index, EyePoints& points) const
 {
   const Part& part = this->Parts[this->Blocks[index][0]];
-  const vtkPointProjectionCPU& cloud = *part.Source->Projection;
-  const std::vector<unsigned int>& ids = cloud.Points->GetOrder().GetIds();
   const auto firstId = static_cast<unsigned int>(part.Source->FirstId);
   unsigned int places[BlockSize + 1];
   Block positions;
   Block normals;
   float radii[BlockSize];
+  unsigned int ids[BlockSize];
   int seen[BlockSize];
   vtkIdType first;
   const int count = part.ListPoints(this->Blocks[index][1], places, first);
   part.LoadPositions(positions, first, count, places);
   part.LoadNormals(normals, first, count, places);
-  for (int i = 0; i < count; ++i)
-  {
-    radii[i] = part.GetRadius(places[i]);
-  }
+  part.LoadRadii(radii, first, count, places);
+  part.LoadIds(ids, first, count, places);
   TransformBlock(positions, normals, radii, count, part.View, this->ClippingReach, points, seen);
+  if (std::find(seen, seen + count, 0) == seen + count)
+  {
+    points.Count = count;
+    std::copy_n(ids, count, points.Id);
+    std::transform(places, places + count, points.Place,
+      [firstId](unsigned int place) { return firstId + place; });
+    return;
+  }
   // without a branch that half of the points would take
   points.Count = 0;
   for (int i = 0; i < count; ++i)
@@ -1175,7 +1285,7 @@ void vtkPointProjectionCPU::EyeBlocks::Fetch(size_t index, EyePoints& points) co
     points.NormalZ[to] = points.NormalZ[i];
     points.Radius[to] = points.Radius[i];
     points.Place[to] = firstId + places[i];
-    points.Id[to] = firstId + ids[places[i]];
+    points.Id[to] = ids[i];
     points.Count += seen[i];
   }
 }

@@ -53,6 +53,12 @@ public:
   std::array<float, 4> GetColor(size_t place) const;
 
   /**
+   * Copies what a level of vtkPointThinning leaves of the points, one after the other, if the last
+   * call was for that level too. Nothing is drawn differently, but less is read for it.
+   */
+  void CopyRepresentatives(int level);
+
+  /**
    * A cloud to draw: its projection, and a view whose MCVC is of the points' own coordinates; what
    * the ids of its points begin with; its colour where the layer Color is wanted and it has none.
    * Radii are those of the thinned points, see vtkPointThinning.
@@ -102,6 +108,15 @@ private:
   struct Site; ///< where a block of points falls
   struct Tile; ///< what a thread works on
 
+  /// The points that stand for the groups of a level, in their order.
+  struct Representatives
+  {
+    int Level = 0; // 0 for none
+    std::vector<unsigned int> Places, Ids;
+    std::vector<float> Positions; // about the origin
+    std::vector<float> Normals, Radii;
+  };
+
   Transform GetTransform(const vtkPointSurfaceView& view) const;
   static std::vector<Part> MakeParts(const std::vector<Cloud>& clouds);
   static const Part& GetPart(const std::vector<Part>& parts, unsigned int place);
@@ -132,6 +147,8 @@ private:
   const float* FloatColors = nullptr;
   vtkMTimeType ColorsTime = 0;
   std::array<double, 3> Origin{}; // of the coordinates that are worked with
+  Representatives Copies;
+  int LastLevel = 0; // see CopyRepresentatives()
 
   int TileColumns = 0;
   std::vector<Site> Sites;                        // of all blocks of points, in their order

@@ -1217,6 +1217,7 @@ vtkDrawnClouds vtkPointSurfaceMapper::GetDrawnClouds(
       vtkPointThinning::GetNumberOfGroups(ownView.GetNumberOfPoints(), ownThinning);
     if (this->LastFrameBackend == CPU)
     {
+      source.ProjectionCPU.CopyRepresentatives(ownThinning);
       clouds.CPU.push_back(
         { &source.ProjectionCPU, ownView, ownThinning, member.FirstId, member.Color });
       continue;

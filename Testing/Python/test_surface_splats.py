@@ -9,7 +9,7 @@ import pytest
 from scenes import Scene, array, assert_baseline, polydata, torus, torus_cloud, torus_mesh
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPlane
 from vtkmodules.vtkRenderingCore import vtkProperty
 
 from pointsurface import metrics, truth, vtkPullPushMapper, vtkSurfaceSplatMapper
@@ -266,6 +266,53 @@ def test_thinning():
     scene.mapper.ThinPointsOff()
     scene.window.Render()
     assert 0 < zoomed == scene.mapper.GetLastFramePointsDrawn() < 600_000, "only what is outside is left out"
+
+
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+def test_copies_of_thinned_points_change_nothing(kind):
+    """Once a level of thinning lasts, points are read from copies: the same is drawn, and points that move are seen to."""
+    data = spheres(150_001)
+    arrays = vtk_to_numpy(data.GetPoints().GetData()).astype(kind), values(data, "Normals"), values(data, "radius")
+    tree = vtkMultiBlockDataSet()
+    ends = (0, 50_001, 100_003, 150_001)  # odd: pairs of points reach over where blocks end
+    for number, (begin, end) in enumerate(zip(ends, ends[1:])):
+        points, normals, radii = (each[begin:end] for each in arrays)
+        hidden = number == 1  # before the others, so that none of its points is drawn unseen
+        block = polydata((points + hidden * np.array((-0.4, 0, 0.2))).astype(kind), normals)
+        block.GetPointData().AddArray(array(radii, "radius"))
+        tree.SetBlock(number, block)
+
+    def draw(scene, angle):
+        scene.camera.SetPosition(5 * np.sin(angle), 0.5, 5 * np.cos(angle))
+        scene.renderer.ResetCameraClippingRange()
+        scene.window.Render()
+        return surface(scene.mapper)
+
+    def make_scene():
+        scene = Scene(vtkSurfaceSplatMapper, tree, (90, 80), data.GetBounds())
+        scene.mapper.SetBackendToCPU()
+        scene.mapper.RecordPointIdsOn()
+        scene.mapper.SetBlockVisibility(2, False)
+        return scene
+
+    def assert_same(a, b):
+        assert all(np.array_equal(a[name], b[name]) for name in a)
+
+    scene = make_scene()
+    first = draw(scene, 0)
+    assert 0 < scene.mapper.GetLastFramePointsDrawn() < 60_000, "thinned"
+    others = [draw(scene, angle) for angle in (0.1, 0.2, 0.3, 0.4)]  # as many views as are kept
+    assert_same(draw(scene, 0), first)
+    assert scene.mapper.GetLastFrameReconstructions() == 1
+    assert not np.array_equal(others[0]["Depth"], first["Depth"])
+
+    moved = tree.GetBlock(0)
+    vtk_to_numpy(moved.GetPoints().GetData())[:] *= 0.9
+    moved.GetPoints().Modified()
+    moved.Modified()
+    again = draw(scene, 0)
+    assert not np.array_equal(again["Depth"], first["Depth"])
+    assert_same(again, draw(make_scene(), 0))
 
 
 def test_statistics():
