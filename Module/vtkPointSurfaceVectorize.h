@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What makes the loops over pixels and points of the CPU steps run on all lanes of a processor.
-// Such a loop stands in a function marked VTK_POINT_SURFACE_CLONES, which is compiled for AVX2 and
-// for the plain instruction set; the loader picks one when the library is loaded. What it calls is
-// VTK_POINT_SURFACE_INLINE, so that it is compiled for the same. Both forms compute the same bits,
-// as neither fuses multiplications with additions. A choice by a truth value that the loop does not
-// change keeps GCC from using the lanes: choose by a number (-fopt-info-vec tells). Elsewhere than
-// on x86-64 with GNU's C library the macros are empty or the usual, and one plain form is compiled.
+// Such a loop stands in a function marked VTK_POINT_SURFACE_CLONES, which is compiled for AVX-512
+// (by its masks, on lanes of 256 bits), for AVX2 and for the plain instruction set; the loader
+// picks one when the library is loaded. What it calls is VTK_POINT_SURFACE_INLINE, so that it is
+// compiled for the same. All forms compute the same bits, as none fuses multiplications with
+// additions; -ffp-contract=off, which CMakeLists.txt sets, sees to that. A choice by a truth value
+// that the loop does not change keeps GCC from using the lanes: choose by a number (-fopt-info-vec
+// tells). Elsewhere than on x86-64 with GNU's C library the macros are empty or the usual, and one
+// plain form is compiled.
 #ifndef vtkPointSurfaceVectorize_h
 #define vtkPointSurfaceVectorize_h
 
@@ -23,7 +25,11 @@
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__OPTIMIZE__) && !defined(__AVX2__) &&    \
   !defined(VTK_POINT_SURFACE_SANITIZED) &&                                                         \
   ((defined(__clang__) && __clang_major__ >= 14) || (!defined(__clang__) && __GNUC__ >= 8))
+#if !defined(__clang__) && __GNUC__ >= 12
+#define VTK_POINT_SURFACE_CLONES __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
+#else
 #define VTK_POINT_SURFACE_CLONES __attribute__((target_clones("avx2", "default")))
+#endif
 #else
 #define VTK_POINT_SURFACE_CLONES
 #endif
