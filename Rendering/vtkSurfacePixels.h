@@ -9,6 +9,9 @@
 #ifndef vtkSurfacePixels_h
 #define vtkSurfacePixels_h
 
+#include "vtkSMPTools.h"
+#include "vtkType.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -40,36 +43,48 @@ struct vtkSurfacePixels
   std::vector<std::array<int, 4>> GetBands() const
   {
     constexpr int LeastHeight = 8;
+    constexpr int BandsAtOnce = 4;
     const auto& r = this->Rectangle;
-    const size_t width = r[2] - r[0];
     const int height =
       std::max((r[3] - r[1] + MaximumNumberOfBands - 1) / MaximumNumberOfBands, LeastHeight);
+    std::vector<std::array<int, 4>> bands((r[3] - r[1] + height - 1) / height);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(bands.size()), BandsAtOnce,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const int y = r[1] + static_cast<int>(i) * height;
+          bands[i] = this->GetBand(y, std::min(y + height, r[3]));
+        }
+      });
+    bands.erase(std::remove_if(bands.begin(), bands.end(),
+                  [](const std::array<int, 4>& band) { return band[0] >= band[2]; }),
+      bands.end());
+    return bands;
+  }
+
+private:
+  std::array<int, 4> GetBand(int begin, int end) const
+  {
+    const auto& r = this->Rectangle;
+    const size_t width = r[2] - r[0];
     auto isEmpty = [&](int row, size_t column)
     { return this->Surface[4 * ((row - r[1]) * width + column) + 3] <= 0.0f; };
-    std::vector<std::array<int, 4>> bands;
-    for (int y = r[1]; y < r[3]; y += height)
+    size_t first = width;
+    size_t last = 0; // one past it
+    for (int row = begin; row < end; ++row)
     {
-      const int end = std::min(y + height, r[3]);
-      size_t first = width;
-      size_t last = 0; // one past it
-      for (int row = y; row < end; ++row)
+      size_t column = 0;
+      for (; column < first && isEmpty(row, column); ++column)
       {
-        size_t column = 0;
-        for (; column < first && isEmpty(row, column); ++column)
-        {
-        }
-        first = column;
-        for (column = width; column > std::max(first, last) && isEmpty(row, column - 1); --column)
-        {
-        }
-        last = std::max(last, first < width ? column : 0);
       }
-      if (first < last)
+      first = column;
+      for (column = width; column > std::max(first, last) && isEmpty(row, column - 1); --column)
       {
-        bands.push_back({ r[0] + static_cast<int>(first), y, r[0] + static_cast<int>(last), end });
       }
+      last = std::max(last, first < width ? column : 0);
     }
-    return bands;
+    return { r[0] + static_cast<int>(first), begin, r[0] + static_cast<int>(last), end };
   }
 };
 
