@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <memory>
 
@@ -24,6 +25,11 @@ constexpr int Stride = TileSize + Lanes;
 /// Pixels of a part of the tile, along a side, that splats may be hidden in as a whole.
 constexpr int PartSize = 8;
 constexpr int Parts = TileSize / PartSize;
+
+/// A tile has as many cells as a number has bits, row by row; and pixels of one, along a side.
+constexpr int Cells = 8;
+constexpr int CellSize = TileSize / Cells;
+constexpr std::uint64_t AllCells = ~std::uint64_t(0);
 
 /// Points are sorted by one thread a group, whatever the number of threads is.
 constexpr size_t LargestNumberOfGroups = 32;
@@ -421,7 +427,6 @@ struct Planes
   alignas(64) float Heaviest[TileSize * Stride];
   alignas(64) unsigned int Id[TileSize * Stride];
   float Farthest[2][Parts * Parts]; // of the visible depths of a part
-  float Gaps[Parts * Parts];        // Far for a part with gaps, else -Far
 };
 
 /// The clipping planes, for the pixels of a tile at their depths.
@@ -508,6 +513,20 @@ VTK_POINT_SURFACE_INLINE float GetFarthest(const float* parts, const Span& span)
   return GetLargest(parts, Parts, span.X0, span.Y0, span.X1, span.Y1);
 }
 
+/// The cells of the tile that a span reaches, a bit each.
+VTK_POINT_SURFACE_INLINE std::uint64_t GetCells(const Span& span)
+{
+  constexpr std::uint64_t FirstColumn = 0x0101010101010101u;
+  const int left = span.X0 / CellSize;
+  const int right = span.X1 / CellSize;
+  const int bottom = span.Y0 / CellSize;
+  const int top = span.Y1 / CellSize;
+  const std::uint64_t columns = (std::uint64_t(2) << right) - (std::uint64_t(1) << left);
+  const std::uint64_t rows =
+    (AllCells << (Cells * bottom)) & (AllCells >> (Cells * (Cells - 1 - top)));
+  return columns * FirstColumn & rows;
+}
+
 /// The largest value in each of the parts of a row of parts, of `values` by column.
 VTK_POINT_SURFACE_INLINE void FindLargest(const float* values, float* parts)
 {
@@ -538,12 +557,12 @@ void FindFarthest(const float* depths, float* parts)
 }
 
 /// The least depths of the splats where e is below the limit, which those that are face-on have one
-/// of their own for; those of the back with the tolerance added. Splats that are farther than all
-/// of `hiding` in the parts that they reach are left out.
+/// of their own for; those of the back with the tolerance added. Splats that reach none of the
+/// cells that are wanted are left out.
 VTK_POINT_SURFACE_CLONES
 void FindDepths(const vtkSurfaceSplattingCPU::Splat* splats,
   const std::vector<unsigned int>& places, const int* corner, const Clipping& clipping, float share,
-  float limitOfOthers, float limitFaceOn, bool back, const float* hiding, float* depths)
+  float limitOfOthers, float limitFaceOn, bool back, std::uint64_t wanted, float* depths)
 {
   const size_t count = places.size();
   for (size_t turn = 0; turn < count; ++turn)
@@ -555,7 +574,7 @@ void FindDepths(const vtkSurfaceSplattingCPU::Splat* splats,
     const Span span = MakeSpan(splat, corner, share);
     const float added = back ? splat.Tolerance : 0.0f;
     const float limit = splat.Tag % 2 == 1 ? limitFaceOn : limitOfOthers;
-    if (span.IsEmpty() || (hiding && splat.Nearest + added >= GetFarthest(hiding, span)))
+    if (span.IsEmpty() || (GetCells(span) & wanted) == 0)
     {
       continue;
     }
@@ -720,15 +739,15 @@ void BlendBoth(const vtkSurfaceSplattingCPU::Splat* splats, const std::array<flo
   BlendSplats<true, true>(splats, colors, places, corner, clipping, inverseBlend, back, planes);
 }
 
-/// Which parts of the tile have pixels where the back is seen, or nothing: Far, else -Far.
+/// Which cells of the tile have pixels where the back is seen, or nothing.
 template <bool ShowingBack>
-VTK_POINT_SURFACE_INLINE void FindGapsOf(const float* front, const float* back, float* gaps)
+VTK_POINT_SURFACE_INLINE std::uint64_t FindGapsOf(const float* front, const float* back)
 {
-  for (int row = 0; row < Parts; ++row)
+  std::uint64_t gaps = 0;
+  for (int row = 0; row < Cells; ++row)
   {
-    float found[TileSize];
-    std::fill_n(found, TileSize, -Far);
-    for (int y = row * PartSize; y < (row + 1) * PartSize; ++y)
+    int found[TileSize] = {};
+    for (int y = row * CellSize; y < (row + 1) * CellSize; ++y)
     {
       VTK_POINT_SURFACE_INDEPENDENT
       for (int x = 0; x < TileSize; ++x)
@@ -736,17 +755,26 @@ VTK_POINT_SURFACE_INLINE void FindGapsOf(const float* front, const float* back, 
         const float f = front[y * Stride + x];
         const float b = back[y * Stride + x];
         const bool isGap = ShowingBack ? b < f : (f >= Far) & (b >= Far);
-        found[x] = isGap ? Far : found[x];
+        found[x] |= isGap ? 1 : 0;
       }
     }
-    FindLargest(found, gaps + row * Parts);
+    for (int column = 0; column < Cells; ++column)
+    {
+      int any = 0;
+      for (int x = column * CellSize; x < (column + 1) * CellSize; ++x)
+      {
+        any |= found[x];
+      }
+      gaps |= static_cast<std::uint64_t>(any) << (Cells * row + column);
+    }
   }
+  return gaps;
 }
 
 VTK_POINT_SURFACE_CLONES
-void FindGaps(bool showingBack, const float* front, const float* back, float* gaps)
+std::uint64_t FindGaps(bool showingBack, const float* front, const float* back)
 {
-  showingBack ? FindGapsOf<true>(front, back, gaps) : FindGapsOf<false>(front, back, gaps);
+  return showingBack ? FindGapsOf<true>(front, back) : FindGapsOf<false>(front, back);
 }
 
 /// A back before the front's discs, or nothing, is seen through a gap between them, if it is not
@@ -848,10 +876,8 @@ public:
     this->FindVisible(splatting, parameters, tile, Back, planes.Visible[Back]);
     for (bool showingBack : { true, false })
     {
-      FindGaps(showingBack, planes.Visible[Front], planes.Visible[Back], planes.Gaps);
-      const bool any =
-        std::find(planes.Gaps, planes.Gaps + Parts * Parts, Far) != planes.Gaps + Parts * Parts;
-      if (empty[Front] || !any)
+      const std::uint64_t gaps = FindGaps(showingBack, planes.Visible[Front], planes.Visible[Back]);
+      if (empty[Front] || gaps == 0)
       {
         continue;
       }
@@ -860,7 +886,7 @@ public:
       {
         FindDepths(group.Splats.data(), group.Tiles[Front][tile], corner, clipping, 1.0f,
           showingBack ? blend * blend : vtkSurfaceSplatParameters::CoreLimit, blend * blend, false,
-          planes.Gaps, planes.Margin);
+          gaps, planes.Margin);
       }
       CloseGaps(showingBack, planes.Visible[Front], planes.Visible[Back], planes.Margin);
     }
@@ -903,7 +929,7 @@ private:
     {
       FindDepths(group.Splats.data(), group.Tiles[side][tile], corner, clipping, share,
         vtkSurfaceSplatParameters::CoreLimit, vtkSurfaceSplatParameters::CoreLimit, side == Back,
-        nullptr, depths);
+        AllCells, depths);
     }
   }
 
