@@ -9,6 +9,7 @@
 #include "vtkPullPushParameters.h"
 #include "vtkPushFS.h"
 #include "vtkScreenPass.h"
+#include "vtkSurfaceCopyFS.h"
 #include "vtkTileVS.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -49,6 +50,7 @@ std::string GetConstants(const vtkPullPushParameters& parameters)
   add("blendsPixels", parameters.BlendsPixels);
   add("trimsOutlines", parameters.Options.TrimOutlines);
   add("clips", parameters.NumberOfClippingPlanes > 0);
+  text += parameters.Options.FillPixels ? "#define MARKS_UNFILLED\n" : "";
   return text;
 }
 }
@@ -81,20 +83,19 @@ void vtkPullPushReconstructionOpenGL::Run(vtkOpenGLRenderWindow* window,
   const bool fill = parameters.Options.FillPixels;
   if (fill)
   {
-    this->Unfilled.Allocate(
-      window, parameters.Levels[0].Width, parameters.Levels[0].Height, surface.GetLayers());
+    this->Filled.Allocate(
+      window, parameters.Levels[0].Width, parameters.Levels[0].Height, surface.GetLayers(), true);
+    surface.ShareDepthBuffer(window, this->Filled);
   }
-  vtkSurfaceTarget& pushed = fill ? this->Unfilled : surface;
   for (int level = coarsest - 1; level >= 0; --level)
   {
     this->Push(window, parameters, pulled(level),
       level + 1 == coarsest ? pulled(level + 1) : *this->Pushed[level],
-      level == 0 ? pushed : *this->Pushed[level - 1], level);
+      level == 0 ? surface : *this->Pushed[level - 1], level);
   }
   if (fill)
   {
-    this->Fill(
-      window, parameters, this->Unfilled, coarsest > 1 ? *this->Pushed[0] : pulled(1), surface);
+    this->Fill(window, parameters, coarsest > 1 ? *this->Pushed[0] : pulled(1), surface);
   }
 }
 
@@ -190,34 +191,52 @@ void vtkPullPushReconstructionOpenGL::Push(vtkOpenGLRenderWindow* window,
   }
   program->SetUniform4fv("clippingPlanes", 6, planes);
   result.BindForWriting(window);
+  const auto& r = parameters.Levels[level].Rectangle;
+  vtkOpenGLState* state = window->GetState();
+  const bool marks = level == 0 && parameters.Options.FillPixels;
+  state->SetEnumState(GL_DEPTH_TEST, marks);
+  state->vtkglDepthMask(marks ? GL_TRUE : GL_FALSE);
+  state->vtkglDepthFunc(GL_ALWAYS);
+  result.Clear(window, { r[0], r[1], r[2] - r[0], r[3] - r[1] }, marks ? 0.0f : 1.0f);
   this->DrawTiles(window, parameters, pass, program, result, coarse, level, 1);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  ++this->Passes;
   coarse.Deactivate();
   fine.Deactivate();
 }
 
+/// Where the last push has left the depth 0, a pixel may be filled: few are, so that these alone
+/// are written to a target of their own, and copied from there.
 void vtkPullPushReconstructionOpenGL::Fill(vtkOpenGLRenderWindow* window,
-  const vtkPullPushParameters& parameters, vtkSurfaceTarget& unfilled, vtkSurfaceTarget& coarse,
-  vtkSurfaceTarget& result)
+  const vtkPullPushParameters& parameters, vtkSurfaceTarget& coarse, vtkSurfaceTarget& surface)
 {
-  vtkScreenPass& pass =
-    this->GetPass(parameters, FillPass, unfilled.GetLayers(), result.GetLayers());
-  vtkShaderProgram* program = pass.Ready(window);
-  if (!program)
-  {
-    return;
-  }
-  unfilled.Activate();
-  unfilled.SetSamplers(program, "in");
-  program->SetUniform2i("begin", parameters.Levels[0].Rectangle.data());
-  program->SetUniform2i("end", parameters.Levels[0].Rectangle.data() + 2);
-  program->SetUniformi("openRun", parameters.OpenRun);
-  program->SetUniformf("depthStep", parameters.DepthStep);
-  SetCommonUniforms(program, parameters);
-  result.BindForWriting(window);
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglDepthFunc(GL_GREATER);
   coarse.Activate();
-  this->DrawTiles(window, parameters, pass, program, result, coarse, 0, 2);
+  auto draw = [&](Kind kind, vtkSurfaceTarget& from, vtkSurfaceTarget& to)
+  {
+    vtkScreenPass& pass = this->GetPass(parameters, kind, from.GetLayers(), to.GetLayers());
+    if (vtkShaderProgram* program = pass.Ready(window))
+    {
+      from.Activate();
+      from.SetSamplers(program, "in");
+      program->SetUniform2i("begin", parameters.Levels[0].Rectangle.data());
+      program->SetUniform2i("end", parameters.Levels[0].Rectangle.data() + 2);
+      program->SetUniformi("openRun", parameters.OpenRun);
+      program->SetUniformf("depthStep", parameters.DepthStep);
+      SetCommonUniforms(program, parameters);
+      to.BindForWriting(window);
+      this->DrawTiles(window, parameters, pass, program, to, coarse, 0, 2);
+      from.Deactivate();
+    }
+  };
+  draw(FillPass, surface, this->Filled);
+  draw(CopyPass, this->Filled, surface);
+  ++this->Passes;
   coarse.Deactivate();
-  unfilled.Deactivate();
+  state->vtkglDisable(GL_DEPTH_TEST);
 }
 
 void vtkPullPushReconstructionOpenGL::DrawLevel(vtkOpenGLRenderWindow* window,
@@ -245,9 +264,7 @@ void vtkPullPushReconstructionOpenGL::DrawTiles(vtkOpenGLRenderWindow* window,
   program->SetUniform2i("firstTile", first);
   program->SetUniformi("tileColumns", columns);
   program->SetUniform2f("targetSize", size);
-  result.Clear(window, { r[0], r[1], r[2] - r[0], r[3] - r[1] });
   pass.DrawPoints(window, r[0], r[1], r[2] - r[0], r[3] - r[1], columns * rows, TileSize);
-  ++this->Passes;
 }
 
 //------------------------------------------------------------------------------
@@ -273,8 +290,11 @@ vtkScreenPass& vtkPullPushReconstructionOpenGL::GetPass(
         text += vtkSurfaceTarget::GetInputDeclarations(input, "fine");
         text += vtkSurfaceTarget::GetInputDeclarations(input, "coarse") + vtkPushFS;
         break;
-      default:
+      case FillPass:
         text += vtkSurfaceTarget::GetInputDeclarations(input, "in") + vtkFillFS;
+        break;
+      default:
+        text += vtkSurfaceTarget::GetInputDeclarations(input, "in") + vtkSurfaceCopyFS;
     }
     pass.reset(new vtkScreenPass(text, kind == TrimPass || kind == PullPass ? "" : vtkTileVS));
   }
@@ -283,7 +303,7 @@ vtkScreenPass& vtkPullPushReconstructionOpenGL::GetPass(
 
 void vtkPullPushReconstructionOpenGL::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Unfilled.ReleaseGraphicsResources(window);
+  this->Filled.ReleaseGraphicsResources(window);
   for (auto* pyramid : { &this->Pulled, &this->Pushed })
   {
     for (auto& level : *pyramid)

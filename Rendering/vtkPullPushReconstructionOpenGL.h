@@ -70,13 +70,14 @@ private:
   void Push(vtkOpenGLRenderWindow* window, const vtkPullPushParameters& parameters,
     vtkSurfaceTarget& fine, vtkSurfaceTarget& coarse, vtkSurfaceTarget& result, int level);
   void Fill(vtkOpenGLRenderWindow* window, const vtkPullPushParameters& parameters,
-    vtkSurfaceTarget& unfilled, vtkSurfaceTarget& coarse, vtkSurfaceTarget& result);
+    vtkSurfaceTarget& coarse, vtkSurfaceTarget& surface);
   enum Kind
   {
     TrimPass,
     PullPass,
     PushPass,
     FillPass,
+    CopyPass,
     NumberOfKinds
   };
   vtkScreenPass& GetPass(
@@ -90,7 +91,7 @@ private:
 
   int Passes = 0;
   std::vector<std::unique_ptr<vtkSurfaceTarget>> Pulled; // levels 1 and up, by level - 1
-  vtkSurfaceTarget Unfilled;                             // level 0 before it is filled
+  vtkSurfaceTarget Filled; // level 0, where it is filled; its depth buffer marks what may be
   std::vector<std::unique_ptr<vtkSurfaceTarget>> Pushed; // the same; the coarsest is not used
   // By what a program is made for: constants, layers that it reads, layers that it writes.
   std::map<std::tuple<std::string, Layers, Layers>, std::unique_ptr<vtkScreenPass>>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fill: single pixels that are empty, or show the back of a surface through a gap in its front; by
 // the masks of Rosenthal and Linsen 2008, section 6: a pixel stays as it is where five neighbours in
-// a row of its ring of eight are not of the surface in front; an empty one perhaps where four are.
+// a row of its ring of eight are not of the surface in front; an empty one perhaps where four are. Runs
+// over the pixels that vtkPushFS.glsl has marked by depth.
 uniform ivec2 begin; // pixels outside of [begin, end) are empty
 uniform ivec2 end;
 uniform int openRun;     // empty pixels in a row around one that stays empty

@@ -253,9 +253,14 @@ void main()
   }
 
 #ifdef OUT_SURFACE
-  OUT_SURFACE = shape.w > 0.0
+  vec4 surface = shape.w > 0.0
     ? vec4(shape.xyz, getSurfaceDepth(shape, interval, fineCenter))
     : vec4(0.0);
+  OUT_SURFACE = surface;
+#ifdef MARKS_UNFILLED
+  bool staysBack = twoSided && !facesViewer(surface.xyz, fineCenter);
+  gl_FragDepth = surface.w == 0.0 || staysBack ? 0.0 : 1.0; // 0: see vtkFillFS.glsl
+#endif
 #else
   OUT_SHAPE = shape;
   OUT_INTERVAL = interval;
