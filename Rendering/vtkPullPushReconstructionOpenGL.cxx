@@ -95,7 +95,7 @@ void vtkPullPushReconstructionOpenGL::Run(vtkOpenGLRenderWindow* window,
   }
   if (fill)
   {
-    this->Fill(window, parameters, coarsest > 1 ? *this->Pushed[0] : pulled(1), surface);
+    this->Fill(window, parameters, surface);
   }
 }
 
@@ -197,24 +197,23 @@ void vtkPullPushReconstructionOpenGL::Push(vtkOpenGLRenderWindow* window,
   state->SetEnumState(GL_DEPTH_TEST, marks);
   state->vtkglDepthMask(marks ? GL_TRUE : GL_FALSE);
   state->vtkglDepthFunc(GL_ALWAYS);
-  result.Clear(window, { r[0], r[1], r[2] - r[0], r[3] - r[1] }, marks ? 0.0f : 1.0f);
-  this->DrawTiles(window, parameters, pass, program, result, coarse, level, 1);
+  result.Clear(window, { r[0], r[1], r[2] - r[0], r[3] - r[1] });
+  this->DrawTiles(window, parameters, pass, program, coarse, level);
   state->vtkglDisable(GL_DEPTH_TEST);
-  ++this->Passes;
   coarse.Deactivate();
   fine.Deactivate();
 }
 
-/// Where the last push has left the depth 0, a pixel may be filled: few are, so that these alone
+/// Where the last push has written the depth 0, a pixel may be filled: few are, so that these alone
 /// are written to a target of their own, and copied from there.
-void vtkPullPushReconstructionOpenGL::Fill(vtkOpenGLRenderWindow* window,
-  const vtkPullPushParameters& parameters, vtkSurfaceTarget& coarse, vtkSurfaceTarget& surface)
+void vtkPullPushReconstructionOpenGL::Fill(
+  vtkOpenGLRenderWindow* window, const vtkPullPushParameters& parameters, vtkSurfaceTarget& surface)
 {
   vtkOpenGLState* state = window->GetState();
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_FALSE);
-  state->vtkglDepthFunc(GL_GREATER);
-  coarse.Activate();
+  state->vtkglDepthFunc(GL_EQUAL);
+  const auto& r = parameters.Levels[0].Rectangle;
   auto draw = [&](Kind kind, vtkSurfaceTarget& from, vtkSurfaceTarget& to)
   {
     vtkScreenPass& pass = this->GetPass(parameters, kind, from.GetLayers(), to.GetLayers());
@@ -222,20 +221,19 @@ void vtkPullPushReconstructionOpenGL::Fill(vtkOpenGLRenderWindow* window,
     {
       from.Activate();
       from.SetSamplers(program, "in");
-      program->SetUniform2i("begin", parameters.Levels[0].Rectangle.data());
-      program->SetUniform2i("end", parameters.Levels[0].Rectangle.data() + 2);
+      program->SetUniform2i("begin", r.data());
+      program->SetUniform2i("end", r.data() + 2);
       program->SetUniformi("openRun", parameters.OpenRun);
       program->SetUniformf("depthStep", parameters.DepthStep);
       SetCommonUniforms(program, parameters);
       to.BindForWriting(window);
-      this->DrawTiles(window, parameters, pass, program, to, coarse, 0, 2);
+      pass.Draw(window, r[0], r[1], r[2] - r[0], r[3] - r[1]);
       from.Deactivate();
     }
   };
   draw(FillPass, surface, this->Filled);
   draw(CopyPass, this->Filled, surface);
   ++this->Passes;
-  coarse.Deactivate();
   state->vtkglDisable(GL_DEPTH_TEST);
 }
 
@@ -249,22 +247,22 @@ void vtkPullPushReconstructionOpenGL::DrawLevel(vtkOpenGLRenderWindow* window,
 
 void vtkPullPushReconstructionOpenGL::DrawTiles(vtkOpenGLRenderWindow* window,
   const vtkPullPushParameters& parameters, vtkScreenPass& pass, vtkShaderProgram* program,
-  vtkSurfaceTarget& result, vtkSurfaceTarget& coarse, int level, int margin)
+  vtkSurfaceTarget& coarse, int level)
 {
-  const auto& r = parameters.Levels[level].Rectangle;
+  const auto& size = parameters.Levels[level];
+  const auto& r = size.Rectangle;
   const int first[2] = { r[0] / TileSize, r[1] / TileSize };
   const int columns = (r[2] + TileSize - 1) / TileSize - first[0];
   const int rows = (r[3] + TileSize - 1) / TileSize - first[1];
-  const float size[2] = { static_cast<float>(result.GetWidth()),
-    static_cast<float>(result.GetHeight()) };
+  const float targetSize[2] = { static_cast<float>(size.Width), static_cast<float>(size.Height) };
   coarse.SetSamplers(program, "cover");
   SetBounds(program, "cover", parameters.Levels[level + 1].Rectangle);
-  program->SetUniformi("coverMargin", margin);
   program->SetUniformi("tileSize", TileSize);
   program->SetUniform2i("firstTile", first);
   program->SetUniformi("tileColumns", columns);
-  program->SetUniform2f("targetSize", size);
+  program->SetUniform2f("targetSize", targetSize);
   pass.DrawPoints(window, r[0], r[1], r[2] - r[0], r[3] - r[1], columns * rows, TileSize);
+  ++this->Passes;
 }
 
 //------------------------------------------------------------------------------
@@ -296,7 +294,7 @@ vtkScreenPass& vtkPullPushReconstructionOpenGL::GetPass(
       default:
         text += vtkSurfaceTarget::GetInputDeclarations(input, "in") + vtkSurfaceCopyFS;
     }
-    pass.reset(new vtkScreenPass(text, kind == TrimPass || kind == PullPass ? "" : vtkTileVS));
+    pass.reset(new vtkScreenPass(text, kind == PushPass ? vtkTileVS : ""));
   }
   return *pass;
 }

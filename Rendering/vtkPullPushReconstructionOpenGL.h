@@ -70,7 +70,7 @@ private:
   void Push(vtkOpenGLRenderWindow* window, const vtkPullPushParameters& parameters,
     vtkSurfaceTarget& fine, vtkSurfaceTarget& coarse, vtkSurfaceTarget& result, int level);
   void Fill(vtkOpenGLRenderWindow* window, const vtkPullPushParameters& parameters,
-    vtkSurfaceTarget& coarse, vtkSurfaceTarget& surface);
+    vtkSurfaceTarget& surface);
   enum Kind
   {
     TrimPass,
@@ -86,8 +86,7 @@ private:
     vtkScreenPass& pass, int level);
   // The same tile by tile, without those that the coarser level has no surface for.
   void DrawTiles(vtkOpenGLRenderWindow* window, const vtkPullPushParameters& parameters,
-    vtkScreenPass& pass, vtkShaderProgram* program, vtkSurfaceTarget& result,
-    vtkSurfaceTarget& coarse, int level, int margin);
+    vtkScreenPass& pass, vtkShaderProgram* program, vtkSurfaceTarget& coarse, int level);
 
   int Passes = 0;
   std::vector<std::unique_ptr<vtkSurfaceTarget>> Pulled; // levels 1 and up, by level - 1

@@ -134,13 +134,10 @@ void main()
   bool blends = false;
 #endif
   vec2 ownRange = getDepthRange(shape, interval);
-  bool keep = false;
-  if (covered)
-  {
-    vec2 parentRange = getDepthRange(
-      texelFetch(coarseShape, parent, 0), texelFetch(coarseInterval, parent, 0));
-    keep = ownRange.x >= parentRange.x && ownRange.x <= parentRange.y;
-  }
+  vec4 parentShape = texelFetch(coarseShape, parent, 0); // which is inside of the image
+  vec4 parentInterval = texelFetch(coarseInterval, parent, 0);
+  vec2 parentRange = getDepthRange(parentShape, parentInterval);
+  bool keep = covered && ownRange.x >= parentRange.x && ownRange.x <= parentRange.y;
   bool mayBeHidden = hidesBacks && !blendsPixels && isBack;
   if (!keep || blends || mayBeHidden)
   {
@@ -158,8 +155,13 @@ void main()
       ivec2 coarse = parent + toNeighbor * isNeighbor;
       weights[i] = 0.0;
       nearness[i] = 0.0;
-      shapes[i] = isInsideImage(coarse) ? texelFetch(coarseShape, coarse, 0) : vec4(0.0);
-      intervals[i] = isInsideImage(coarse) ? texelFetch(coarseInterval, coarse, 0) : vec4(0.0);
+      shapes[i] = parentShape;
+      intervals[i] = parentInterval;
+      if (i > 0)
+      {
+        shapes[i] = isInsideImage(coarse) ? texelFetch(coarseShape, coarse, 0) : vec4(0.0);
+        intervals[i] = isInsideImage(coarse) ? texelFetch(coarseInterval, coarse, 0) : vec4(0.0);
+      }
       // the displacement becomes relative to the fine pixel
       intervals[i].zw += (2.0 * vec2(coarse) + 1.0) * fineSize - fineCenter;
       float depth;

@@ -1,11 +1,11 @@
 //VTK::System::Dec
 // SPDX-License-Identifier: BSD-3-Clause
 // A tile of pixels, as a point of its size: dropped where the coarser level has no surface that the
-// pixels of the tile could take.
+// pixels of the tile could take. What covers a pixel covers its parent in the coarser level, or that
+// one's neighbour which is the nearest to the pixel: so there is none beside a dropped tile either.
 uniform sampler2D coverShape; // the coarser level: radii over 0 in w where there is a surface
 uniform ivec2 coverBegin;     // its pixels outside of [begin, end) are empty
 uniform ivec2 coverEnd;
-uniform int coverMargin;      // its pixels around a tile that matter
 uniform int tileSize;         // in pixels
 uniform ivec2 firstTile;      // in tiles
 uniform int tileColumns;
@@ -14,8 +14,8 @@ uniform vec2 targetSize;      // in pixels
 void main()
 {
   ivec2 place = tileSize * (firstTile + ivec2(gl_VertexID % tileColumns, gl_VertexID / tileColumns));
-  ivec2 begin = max(place / 2 - coverMargin, coverBegin);
-  ivec2 size = min(place / 2 + tileSize / 2 + coverMargin, coverEnd) - begin;
+  ivec2 begin = max(place / 2 - 1, coverBegin);
+  ivec2 size = min(place / 2 + tileSize / 2 + 1, coverEnd) - begin;
   int count = max(size.x, 0) * max(size.y, 0);
   bool covered = false;
   for (int i = 0; i < count && !covered; ++i)
