@@ -57,6 +57,10 @@ void main()
       high = vec2(1.0);
       break;
     }
+    // of the distance 1: fourth powers of very large or small ones are not to be had in floats
+    cu /= c.w;
+    cv /= c.w;
+    c /= c.w;
     float a = c.w * c.w - cu.w * cu.w - cv.w * cv.w;
     vec2 b = c.xy * c.w - cu.xy * cu.w - cv.xy * cv.w;
     vec2 root = sqrt(max(b * b - a * (c.xy * c.xy - cu.xy * cu.xy - cv.xy * cv.xy), 0.0));

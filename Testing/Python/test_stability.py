@@ -136,8 +136,11 @@ USUAL_BOUNDS = (0.001, 0.6)
 
 @every_method
 @pytest.mark.parametrize("scale", (1, 1e-12, 1e-6, 1e6, 1e12))
-def test_scale(method, scale):
-    depth, normals = Picture(method, sphere_cloud(scale), scale=scale).read()
+@pytest.mark.parametrize("backend", ("CPU", "OpenGL"))
+def test_scale(method, scale, backend):
+    picture = Picture(method, sphere_cloud(scale), scale=scale)
+    getattr(picture.mapper, f"SetBackendTo{backend}")()
+    depth, normals = picture.read()
     assert_within(figures((depth / scale, normals), sphere_truth()), 0, *SPHERE_BOUNDS.get(method, USUAL_BOUNDS))
 
 
