@@ -481,6 +481,14 @@ struct Clipping
   }
 };
 
+/// Fetches a splat that will be worked on some turns later.
+VTK_POINT_SURFACE_INLINE void FetchAhead(const vtkSurfaceSplattingCPU::Splat* splats,
+  const std::vector<unsigned int>& places, size_t turn, size_t count)
+{
+  const size_t next = turn + ReadAhead < count ? turn + ReadAhead : turn;
+  VTK_POINT_SURFACE_FETCH_TO_READ(splats + places[next]);
+}
+
 /// The pixels of a tile that may lie in a splat, and the polynomials from its first one on.
 struct Span
 {
@@ -568,8 +576,7 @@ void FindDepths(const vtkSurfaceSplattingCPU::Splat* splats,
   for (size_t turn = 0; turn < count; ++turn)
   {
     const unsigned int place = places[turn];
-    const size_t next = turn + ReadAhead < count ? turn + ReadAhead : turn;
-    VTK_POINT_SURFACE_FETCH_TO_READ(splats + places[next]);
+    FetchAhead(splats, places, turn, count);
     const vtkSurfaceSplattingCPU::Splat splat = splats[place]; // that no write below can change
     const Span span = MakeSpan(splat, corner, share);
     const float added = back ? splat.Tolerance : 0.0f;
@@ -627,8 +634,7 @@ VTK_POINT_SURFACE_INLINE void BlendSplats(const vtkSurfaceSplattingCPU::Splat* s
   for (size_t turn = 0; turn < count; ++turn)
   {
     const unsigned int place = places[turn];
-    const size_t next = turn + ReadAhead < count ? turn + ReadAhead : turn;
-    VTK_POINT_SURFACE_FETCH_TO_READ(splats + places[next]);
+    FetchAhead(splats, places, turn, count);
     const vtkSurfaceSplattingCPU::Splat splat = splats[place]; // that no write below can change
     const Span span = MakeSpan(splat, corner, 1.0f);
     // as the visible depths of the back have it, so that the difference is the tolerance too
