@@ -18,6 +18,7 @@ def claims():
         module = importlib.import_module("claims")
         patch.setattr(module, "measure_apart", lambda script, *case: module.measure(*case))  # in this process
         patch.setattr(module, "FRAMES", 1)
+        patch.setattr(module, "PROCESSES", 1)
         yield module
 
 
@@ -29,6 +30,21 @@ def test_what_is_met(claims):
     assert claims.judge([1, 2], at_least_two) == "with FXAA"
     assert claims.judge([1, 1], at_least_two) == "no"
     assert claims.judge([1], at_least_two) == "no"
+
+
+def test_times_are_medians_of_processes_that_take_turns(claims, monkeypatch):
+    drawn, milliseconds = [], iter((9, 1, 5, 2, 7, 30))
+
+    def measure_apart(_script, _what, *case):
+        drawn.append(case)
+        return {"milliseconds": next(milliseconds), "mapper": case[0]}
+
+    monkeypatch.setattr(claims, "measure_apart", measure_apart)
+    monkeypatch.setattr(claims, "PROCESSES", 3)
+    auto, mesh = (claims.AUTO, 5, "OpenGL"), (claims.MESH, 5, "CPU")
+    measured = claims.measure_times([(5, claims.AUTO, claims.MESH, "OpenGL", 1)])
+    assert drawn == [auto, mesh] * 3
+    assert {case: result["milliseconds"] for case, result in measured.items()} == {auto: 7, mesh: 2}
 
 
 def test_table(claims):
