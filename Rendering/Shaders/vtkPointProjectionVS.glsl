@@ -20,6 +20,16 @@ flat out vec4 color;
 flat out uint id;
 flat out vec4 nearestSurface;
 
+#ifdef ONLY_COMPANIONS
+// Where a point is in eye coordinates that falls on a place of the window, at an eye depth and its w.
+vec4 getEyePosition(vec2 window, float depth, float w)
+{
+  vec2 clip = w * (2.0 * window / targetSize - 1.0) + depth * VCDCMatrix[2].xy - VCDCMatrix[3].xy;
+  float y = clip.y / VCDCMatrix[1].y;
+  return vec4((clip.x - VCDCMatrix[1].x * y) / VCDCMatrix[0].x, y, -depth, 1.0);
+}
+#endif
+
 void main()
 {
   vec4 position = MCVCMatrix * vertexMC;
@@ -49,10 +59,12 @@ void main()
 #ifdef ONLY_FARTHEST
   bool isWanted = depth <= nearest.x + depthTolerance;
 #else
+  // The nearest point's slope is seen along its own view: in a large pixel that of others differs.
   vec4 disc = texelFetch(nearestShape, pixel, 0);
-  float along = dot(disc.xyz, toViewer);
+  float w = VCDCMatrix[3].w - VCDCMatrix[2].w * nearest.x;
+  float along = dot(disc.xyz, getToViewer(getEyePosition(center + nearest.zw, nearest.x, w)));
   float slope = sqrt(max(1.0 - along * along, 0.0)) / max(abs(along), 1.0 / largestReach);
-  float pixelSize = 2.0 * gl_Position.w / (targetSize.y * abs(VCDCMatrix[1][1]));
+  float pixelSize = 2.0 * w / (targetSize.y * abs(VCDCMatrix[1].y));
   float reach = disc.w * clamp(pixelSize * slope / disc.w, 1.0, largestReach);
   bool isWanted = depth <= nearest.x + reach && texelFetch(nearestId, pixel, 0).r != id;
 #endif
