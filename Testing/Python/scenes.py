@@ -86,6 +86,19 @@ def polydata(points, normals):
     return data
 
 
+def even_directions(count):
+    """Unit vectors, spread evenly."""
+    i = np.arange(count) + 0.5
+    z = 1 - 2 * i / count
+    around = np.pi * (1 + np.sqrt(5)) * i
+    return np.stack([np.sqrt(1 - z * z) * np.cos(around), np.sqrt(1 - z * z) * np.sin(around), z], axis=-1)
+
+
+def spacing_on_sphere(count):
+    """Of so many points, on the unit sphere."""
+    return np.sqrt(4 * np.pi / count)
+
+
 def torus(u, v):
     """Positions and normals at the angles around the ring and around the tube."""
     normals = np.stack([np.cos(u) * np.cos(v), np.sin(u) * np.cos(v), np.sin(v)], axis=-1)
