@@ -34,6 +34,7 @@ TOLD = ("RadiusArray", "size"), ("Radius", LARGE)
 QUANTILES = (-1.0, 0.0, 0.5, 0.98)
 DISTANT = 0, 1000, 10**6  # points beyond the reach that are asked for
 TURNS = 3  # views of balls
+PLACES = {"tiny": (1e-12, 0), "huge": (1e12, 0), "far": (1, (1e7, -2e7, 3e7))}  # scale, and where the middle is
 
 
 def rank_of(points):
@@ -49,6 +50,13 @@ def whole_of(mapper_class):
     data.GetPointData().AddArray(numpy_to_vtk(np.arange(data.GetNumberOfPoints()), deep=True))
     data.GetPointData().GetArray(data.GetPointData().GetNumberOfArrays() - 1).SetName("number")
     return data
+
+
+def placed(cloud, scale, middle):
+    """The cloud, whose ranks are known by its places before, in double precision."""
+    cloud.GetPoints().SetData(array(scale * positions(cloud).astype(float) + middle, kind=float))
+    numpy_of(cloud, "radius")[:] *= scale
+    return cloud
 
 
 def positions_only(points, radii):
@@ -99,6 +107,7 @@ def part_of(data, chosen):
         ids.InsertNextId(i)
     part = vtkPolyData()
     part.SetPoints(vtkPoints())
+    part.GetPoints().SetDataType(data.GetPoints().GetDataType())
     data.GetPoints().GetPoints(ids, part.GetPoints())
     places = vtkIdList()
     for i in range(ids.GetNumberOfIds()):
@@ -166,6 +175,12 @@ def run_rank(folder):
             scene.mapper.SetInputData(data)
             results[f"{mapper_class.__name__}/{name}/color"] = scene.color()
             results[f"{mapper_class.__name__}/{name}/depth"] = scene.depth()
+
+    # Scales, and far from the origin.
+    owner = rank_of(positions(whole_of(MAPPERS[0])))
+    for name, place in PLACES.items():
+        output, _ = with_ghosts(part_of(placed(whole_of(MAPPERS[0]), *place), owner == rank))
+        keep(name, output)
 
     # Points beyond the reach.
     whole = whole_of(MAPPERS[0])
@@ -307,7 +322,7 @@ def check_ghosts(result, name, whole, own, ghosts):
     assert set(number[count:]) == set(ghosts)
     assert (result[name + "/vtkGhostType"] == np.where(np.arange(len(number)) < count, 0,
                                                        vtkDataSetAttributes.DUPLICATEPOINT)).all()
-    assert (result[name + "/vtkProcessId"] == rank_of(positions(whole))[number]).all()
+    assert (result[name + "/vtkProcessId"] == rank_of(positions(whole_of(MAPPERS[0])))[number]).all()
     assert result[name + "/vtkProcessId"].dtype == np.uint32
     assert (result[name + "/points"] == positions(whole)[number]).all()
     assert (result[name + "/normals"] == vtk_to_numpy(whole.GetPointData().GetNormals())[number]).all()
@@ -324,6 +339,16 @@ def test_ranks_get_the_points_near_them(ranks):
         check_ghosts(ranks[rank], "cloud", whole, np.nonzero(owner == rank)[0], ghosts)
         assert ranks[rank]["ghosts"] == len(ghosts)
     assert ranks[EMPTY]["cloud/count"] == ranks[EMPTY]["ghosts"] == 0
+
+
+@pytest.mark.parametrize("name", PLACES)
+def test_ranks_get_the_points_near_them_at_any_scale(ranks, name):
+    owner = rank_of(positions(whole_of(MAPPERS[0])))
+    whole = placed(whole_of(MAPPERS[0]), *PLACES[name])
+    for rank in range(RANKS):
+        ghosts = needed(positions(whole), owner, numpy_of(whole, "radius").astype(float), rank)
+        assert 100 < len(ghosts) < 0.3 * len(owner)
+        check_ghosts(ranks[rank], name, whole, np.nonzero(owner == rank)[0], ghosts)
 
 
 def test_blocks_of_a_tree(ranks):
