@@ -33,7 +33,7 @@ WANTED = {
     ("OpenGL", 512, 100_000): 0.6,
     ("OpenGL", 1024, 100_000): 0.9,
 }
-WARM_UP, FRAMES = 3, 11
+WARM_UP, FRAMES = 3, 21
 
 
 def measure(name, count, size):

@@ -38,7 +38,7 @@ from pointsurface.truth import render_truth
 from table1 import read_model
 
 BACKENDS = ("CPU", "OpenGL")
-SIZE, WARM_UP, FRAMES = 512, 2, 7
+SIZE, WARM_UP, FRAMES = 512, 2, 21
 MOST_DIFFERENCE = 0.2  # grey levels of 255
 MOST_LOSS = 0.5  # dB, of what approximates
 LEAST_GAIN = 0.98  # of the time without: what is above saves nothing
