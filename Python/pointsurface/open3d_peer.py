@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Open3D's offscreen renderer, to be measured beside the mappers of this package; see bench.py.
+"""Open3D's offscreen renderer, to be measured beside the mappers of this package; see bench_stage.py.
 
     python3 open3d_peer.py SCENE.npz RESULT.npz
 
@@ -7,9 +7,11 @@ A program of its own, without VTK: the two bring graphics libraries of their own
 none that it can use (from 0.20 on it needs a driver of Vulkan; Debian's mesa-vulkan-drivers has one in software).
 
 SCENE: "points" (n, 3), "colors" (n, 3) from 0 to 1, drawn as they are; "point_size" in pixels; "size" (width, height);
-"background"; "center", "up" and "eyes" (frames, 3) of the camera, its "angle" and clipping "range"; "warm_up" frames.
+"background"; "center", "up" and "eyes" (frames, 3) of the camera, its "angle" and clipping "range"; "warm_up" frames, and
+"most_seconds", after which there are no more frames than one behind these.
 RESULT: "color" (height, width, 3) from 0 to 1 and "depth" (height, width), 0 where nothing is drawn, both of the first eye
-and with row 0 at the bottom; "milliseconds" and "processor_milliseconds", medians of a frame with its reading back.
+and with row 0 at the bottom; "milliseconds" and "processor_milliseconds", medians of so many "frames", each with its reading
+back; "first_milliseconds", from the points to the first frame.
 """
 
 import sys
@@ -27,6 +29,8 @@ from open3d.visualization import rendering
 
 def main(scene_path, result_path):
     scene = np.load(scene_path)
+    warm_up, most_seconds = int(scene["warm_up"]), float(scene["most_seconds"])
+    began = time.perf_counter()
     cloud = open3d.geometry.PointCloud(open3d.utility.Vector3dVector(scene["points"]))
     cloud.colors = open3d.utility.Vector3dVector(scene["colors"])
     material = rendering.MaterialRecord()
@@ -43,20 +47,25 @@ def main(scene_path, result_path):
 
     look_from(scene["eyes"][0])
     color = np.asarray(renderer.render_to_image())[::-1, :, :3] / 255
+    first_milliseconds = 1e3 * (time.perf_counter() - began)
     depth = np.asarray(renderer.render_to_depth_image(z_in_view_space=True))[::-1]
-    times = []
+    times, began = [], time.perf_counter()
     for eye in scene["eyes"]:
+        if len(times) > warm_up and time.perf_counter() > began + most_seconds:
+            break
         look_from(eye)
         start, processor = time.perf_counter(), time.process_time()
         renderer.render_to_image()
         times.append((1e3 * (time.perf_counter() - start), 1e3 * (time.process_time() - processor)))
-    milliseconds, processor_milliseconds = (median(column) for column in zip(*times[int(scene["warm_up"]) :]))
+    milliseconds, processor_milliseconds = (median(column) for column in zip(*times[warm_up:]))
     np.savez(
         result_path,
         color=color,
         depth=np.where(np.isfinite(depth), depth, 0),
         milliseconds=milliseconds,
         processor_milliseconds=processor_milliseconds,
+        frames=len(times) - warm_up,
+        first_milliseconds=first_milliseconds,
     )
 
 

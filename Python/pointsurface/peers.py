@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What others draw points with, set up as fairly as can be, to be measured beside the mappers of this package."""
 
-from vtkmodules.vtkRenderingCore import vtkPointGaussianMapper
+from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
+from vtkmodules.vtkRenderingCore import vtkPointGaussianMapper, vtkPolyDataMapper
+from vtkmodules.vtkRenderingOpenGL2 import vtkCameraPass, vtkPointFillPass, vtkRenderStepsPass
 
 DISC = """//VTK::Color::Impl
 if (dot(offsetVCVSOutput, offsetVCVSOutput) > 1.0) discard;
@@ -24,3 +26,24 @@ def gaussian_discs(cloud, scale=1):
     else:
         mapper.SetTriangleScale(1)
     return mapper
+
+
+def gl_points(cloud):
+    """A vtkPolyDataMapper of a vertex for each point, whose size is the actor's."""
+    vertices = vtkVertexGlyphFilter()
+    vertices.SetInputData(cloud)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(vertices.GetOutputPort())
+    return mapper
+
+
+def fill_points():
+    """A pass for a renderer whose vtkPointFillPass fills what is between points of OpenGL, and what they hide.
+
+    It leaves two kinds of depth in the picture, those of what it fills and others.
+    """
+    fill = vtkPointFillPass()
+    fill.SetDelegatePass(vtkRenderStepsPass())
+    camera = vtkCameraPass()
+    camera.SetDelegatePass(fill)
+    return camera

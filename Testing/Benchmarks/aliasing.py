@@ -18,7 +18,8 @@ import numpy as np
 
 from apart import main, measure_apart
 from errors import DATA
-from pointsurface.bench import GAUSSIAN, MESH, OURS, Case, Stage
+from pointsurface.bench_scenes import Case
+from pointsurface.bench_stage import GAUSSIAN, MESH, OURS, Stage
 from pointsurface.metrics import psnr
 from pointsurface.rendering import box_average, grab_color, renderer_string
 from pointsurface.scene import window_without_screen

@@ -4,13 +4,27 @@
 
     python3 Testing/Benchmarks/bench.py [OPTIONS OF pointsurface bench]
 
-PYTHONPATH must lead to the package pointsurface.
+PYTHONPATH must lead to the package pointsurface. The models that --full measures with, too, lie in ../shared/data beside
+the project, or in the folder POINTSURFACE_SHARED_DATA, or where --data says.
 """
 
 import os
 import sys
 
-REFERENCE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Reference")
-paths = [REFERENCE, *filter(None, [os.environ.get("PYTHONPATH")])]
-os.environ["PYTHONPATH"] = os.pathsep.join(paths)  # of the processes that measure, too
-os.execv(sys.executable, [sys.executable, "-m", "pointsurface", "bench", *sys.argv[1:]])
+HERE = os.path.dirname(os.path.abspath(__file__))
+REFERENCE = os.path.join(HERE, "..", "Reference")
+DATA = os.path.abspath(os.path.join(HERE, "..", "..", "..", "shared", "data"))
+
+sys.path.insert(0, REFERENCE)
+# Of the processes that measure, too.
+os.environ["PYTHONPATH"] = os.pathsep.join([REFERENCE, *filter(None, [os.environ.get("PYTHONPATH")])])
+if os.path.isdir(DATA):
+    os.environ.setdefault("POINTSURFACE_SHARED_DATA", DATA)
+
+from pointsurface import bench  # noqa: E402
+from pointsurface.__main__ import main  # noqa: E402
+
+if __name__ == "__main__":
+    bench.PROGRAM = "python3 Testing/Benchmarks/bench.py"
+    sys.argv.insert(1, "bench")
+    sys.exit(main())

@@ -9,7 +9,8 @@ import pytest
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "Benchmarks"))
 import aliasing  # noqa: E402
-from pointsurface.bench import MESH, Case, Stage  # noqa: E402
+from pointsurface.bench_scenes import Case  # noqa: E402
+from pointsurface.bench_stage import MESH, Stage  # noqa: E402
 
 
 def test_a_slow_change_does_not_flicker_and_noise_does():
