@@ -8,18 +8,20 @@ import sys
 
 import numpy as np
 import pytest
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from pointsurface import (
     vtkAlgebraicSplats,
+    vtkIsosurfacePoints,
     vtkPointSurfaceMapper,
     vtkPointSurfaceMapperFactory,
 )
 from pointsurface.methods import AUTO, METHODS, chosen
 from pointsurface.readers import read
+from pointsurface.volumes import gyroid_ball
 
 CPU, OPENGL = vtkPointSurfaceMapper.CPU, vtkPointSurfaceMapper.OpenGL
 
@@ -40,6 +42,24 @@ def sphere(normals=True, radii=None):
         array.SetName("radius")
         cloud.GetPointData().AddArray(array)
     return cloud
+
+
+def with_tiny_radii():
+    """Three of 5000, as isosurfaces have some."""
+    cloud = sphere(radii=(0.02, 0.03))
+    for i in (0, 1000, 4999):
+        cloud.GetPointData().GetArray("radius").SetValue(i, 1e-6)
+    return cloud
+
+
+def isosurface():
+    extract = vtkIsosurfacePoints()
+    extract.SetInputData(gyroid_ball(128))
+    extract.SetValue(0, 0)
+    extract.Update()
+    radii = vtk_to_numpy(extract.GetOutput().GetPointData().GetArray("radius"))
+    assert radii.max() > 50 * radii.min()
+    return extract.GetOutput()
 
 
 def splats():
@@ -66,6 +86,8 @@ def tree(*blocks):
         (lambda: sphere(normals=False), "direct", "direct"),
         (lambda: sphere(normals=False, radii=(0.01, 0.09)), "direct", "direct"),
         (lambda: sphere(normals=False, radii=(0.01, 0.11)), "pull-push", "pull-push"),
+        (with_tiny_radii, "surface-splats", "pull-push"),
+        (isosurface, "surface-splats", "pull-push"),
         (splats, "algebraic-splats", "algebraic-splats"),
         (lambda: tree(vtkPolyData(), sphere()), "surface-splats", "pull-push"),
         (lambda: tree(sphere(), tree(sphere(normals=False))), "direct", "direct"),
