@@ -47,6 +47,7 @@ COLUMNS = {  # of the tables of scenes
     "first_milliseconds": ("first frame, ms", "{:.0f}", 1),
     **MEASURES,
 }
+JUDGED = ("milliseconds", "first_milliseconds", "psnr", "normal_mean")  # of what is picked, and of what is best
 CLOSE = 0.5  # dB that what is called best may be behind the least error, if it is faster
 FEW, MANY = 1_000_000, 20_000_000  # points that are to cost nearly the same
 MOST_RATIO, MOST_LOSS = 2, 0.5  # of their times, and dB
@@ -232,8 +233,9 @@ def _exceptions_section(measured):
 
 def _picked_section(measured):
     """What vtkPointSurfaceMapperFactory picks beside what measures best."""
-    head = ["scene", "back end", "picked", "ms", "first frame, ms", "PSNR, dB", "best", "ms", "first frame, ms", "PSNR, dB"]
-    lines, others, count = _table(head, "lllrrrlrrr"), [], 0
+    figures = [COLUMNS[column][0] for column in JUDGED]
+    lines = _table(["scene", "back end", "picked", *figures, "best", *figures], "lll" + "r" * len(JUDGED) + "l" + "r" * len(JUDGED))
+    others, count = 0, 0
     for case, result in measured:
         for backend in BACKENDS:
             rows, picked = by_backend(result, backend), result["picked"][backend]
@@ -241,27 +243,27 @@ def _picked_section(measured):
                 continue
             count += 1
             first = best(rows)
-            cells = [_link(case), backend, picked, *_times_and_error(rows[picked])]
-            lines.append(_row([*cells, *([first, *_times_and_error(rows[first])] if first != picked else [""] * 4)]))
-            if first != picked:
-                others.append(f"{case.title}, {backend}: {first}, not {picked}")
+            other = [first, *_judged(rows[first])] if first != picked else [""] * (1 + len(JUDGED))
+            others += first != picked
+            lines.append(_row([_link(case), backend, picked, *_judged(rows[picked]), *other]))
     if not count:
         return []
     return [
         "## What is picked",
         "",
         "The mapper that vtkPointSurfaceMapperFactory picks, by back end, and, where it is another one, what measures best: the",
-        f"fastest of ours within {CLOSE} dB of the least error that one of them has, with no supersampling. Its rules rest on this",
-        "table, the one for points without normals also on the time to the first frame and on noisy scans (direct.md).",
+        f"fastest of ours within {CLOSE} dB of the least error that one of them has, with no supersampling. For points without",
+        "normals the time to the first frame counts too, in which the others estimate them, and the normals where there is noise",
+        "(half of the mean spacing, along the normal; direct.md has more of it).",
         "",
-        f"Picked is what measures best in {count - len(others)} of {count}.",
+        f"Picked is what measures best in {count - others} of {count}.",
         "",
         *lines,
     ]
 
 
-def _times_and_error(row):
-    return [COLUMNS[column][1].format(row[column]) for column in ("milliseconds", "first_milliseconds", "psnr")]
+def _judged(row):
+    return [COLUMNS[column][1].format(row[column]) for column in JUDGED]
 
 
 def _many_points_section(measured):

@@ -91,16 +91,18 @@ SCENES = {
 
 @dataclass(frozen=True)
 class Spread:
-    """How points lie on a scene where not evenly, or that they have no normals."""
+    """How points lie on a scene where not evenly on it, or that they have no normals."""
 
     scene: str
     ratio: float = 1  # of the largest radius to the smallest
     normals: bool = True
+    noise: float = 0  # standard deviation along the normal, in mean spacings
 
 
 # What the rules of vtkPointSurfaceMapperFactory ask for.
 SPREADS = {f"sphere, radii 1 to {ratio}": Spread("sphere", ratio) for ratio in (5, 10, 25, 50, 100)}
 SPREADS |= {f"{scene}, no normals": Spread(scene, normals=False) for scene in ("sphere", "gyroid")}
+SPREADS |= {f"{scene}, no normals, noise": Spread(scene, normals=False, noise=0.5) for scene in ("sphere", "gyroid")}
 SPREADS |= {f"sphere, no normals, radii 1 to {ratio}": Spread("sphere", ratio, False) for ratio in (5, 10, 20)}
 
 
@@ -203,6 +205,9 @@ def make_points(mesh, count, spread):
         along = (points[:, 0] - points[:, 0].min()) / np.ptp(points[:, 0])
         chosen = np.random.default_rng(1).random(len(points)) < spread.ratio ** (-2 * along)
         points, normals, radii = points[chosen], normals[chosen], (radii * spread.ratio**along)[chosen]
+    if spread.noise:
+        shifts = spread.noise / RADIUS * radii * np.random.default_rng(2).standard_normal(len(points))
+        points = (points + shifts[:, None] * normals).astype(np.float32)
     return make_cloud(points, normals if spread.normals else None, arrays={"radius": radii.astype(np.float32)})
 
 

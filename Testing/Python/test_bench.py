@@ -98,8 +98,8 @@ def test_what_is_picked_beside_what_is_best(tmp_path):
     assert bench_report.best(bench_report.by_backend(results(rows), "CPU")) == "pull-push"
     told = section(report(tmp_path, [(Case("torus", 1000, 64), results(rows))]), "What is picked")
     assert "Picked is what measures best in 1 of 2." in told
-    assert "| CPU | surface-splats | 20.0 | 1 | 40.00 | pull-push | 10.0 | 1 | 39.60 |" in told
-    assert "| OpenGL | pull-push | 100.0 | 1 | 39.00 |  |  |  |  |" in told
+    assert "| CPU | surface-splats | 20.0 | 1 | 40.00 | 1.00 | pull-push | 10.0 | 1 | 39.60 | 1.00 |" in told
+    assert "| OpenGL | pull-push | 100.0 | 1 | 39.00 | 1.00 |  |  |  |  |  |" in told
     # by a GPU the rows with no back end in their names are those of OpenGL
     swapped = {name.replace("OpenGL", "CPU"): row for name, row in rows.items()}
     assert bench_report.by_backend(results(swapped, "OpenGL"), "OpenGL").keys() == {"pull-push", "surface-splats", "direct"}
@@ -183,6 +183,14 @@ def test_points_whose_radii_grow_along_x():
     assert cloud.GetPointData().GetNormals() is not None
     bare = bench_scenes.make_points(bench_scenes.make_mesh("sphere"), 100, bench_scenes.SPREADS["sphere, no normals"])
     assert bare.GetPointData().GetNormals() is None and bare.GetNumberOfPoints() == 100
+
+
+def test_noisy_points():
+    """Their distances from the centre of a sphere of radius 0.5."""
+    cloud = bench_scenes.make_points(bench_scenes.make_mesh("sphere"), 10_000, bench_scenes.SPREADS["sphere, no normals, noise"])
+    points = vtk_to_numpy(cloud.GetPoints().GetData())
+    spacing = (3.14159 / 10_000) ** 0.5
+    assert points.dtype == "float32" and 0.48 < ((points**2).sum(axis=1) ** 0.5).std() / spacing < 0.52
 
 
 def test_open3d_where_it_is_there():
