@@ -417,6 +417,16 @@ void vtkPointSurfaceMapper::ComputeBounds()
   {
     this->UpdateDrawablePoints(); // VTK will not render this; say why
   }
+  vtkDoubleArray* whole = GetWhole(this->GetBlocks());
+  if (whole && vtkMath::AreBoundsInitialized(this->Bounds))
+  {
+    // Ranks' pictures are put together of what bounds cover (IceT); footprints reach beyond those
+    // of points, fills up to three radii.
+    const double reach = std::max(this->RadiusScale * whole->GetValue(7), whole->GetValue(8));
+    vtkBoundingBox box(this->Bounds);
+    box.Inflate(3.0 * reach);
+    box.GetBounds(this->Bounds);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -585,6 +585,27 @@ def test_parts_are_not_thinned(mapper_class):
     assert scene.mapper.GetLastFramePointsDrawn() == cloud.GetNumberOfPoints()
 
 
+@pytest.mark.parametrize("mapper_class", MAPPERS)
+def test_bounds_of_a_part_hold_all_that_it_draws(mapper_class):
+    """By them ParaView tells what of the picture a rank draws."""
+    part = torus_cloud(2000)
+    radius = numpy_of(part, "radius")[0]
+    part.GetFieldData().AddArray(array([*part.GetBounds(), radius, radius, radius / 1.5], "vtkWholeCloud", np.float64))
+    scene = Scene(mapper_class, part)
+    scene.camera.SetPosition(0, 0, 5)
+    scene.camera.SetViewUp(0, 1, 0)
+    scene.camera.ParallelProjectionOn()
+    scene.camera.SetParallelScale(2)
+    scene.color()
+    rows, columns = np.nonzero(scene.depth() < 1)
+    pixel = 2 * 2 / 200
+    drawn = [c * pixel - 2 for c in (columns.min(), columns.max() + 1, rows.min(), rows.max() + 1)]
+    bounds = scene.mapper.GetBounds()[:4]
+    print("bounds", np.round(bounds, 3), "drawn", np.round(drawn, 3), "points", np.round(part.GetBounds()[:4], 3))
+    assert (drawn[1] - drawn[0]) > 2.5
+    assert all(bounds[i] <= drawn[i] and drawn[i + 1] <= bounds[i + 1] for i in (0, 2))
+
+
 def test_copies_lie_behind_where_clouds_join():
     """Clouds that look alike are shaded together, but one with copies by itself, which knows them."""
     cloud = torus_cloud(8000)

@@ -11,31 +11,11 @@ import traceback
 import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkFloatArray, vtkLogger, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkLogger
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 
 import scene
-
-controller = vtkMultiProcessController.GetGlobalController()
-rank, ranks = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
-
-
-def cloud(points, chosen=None, **arrays):
-    """Of points and point arrays, those that this rank has: a slab in x of its own."""
-    own = np.minimum((np.argsort(np.argsort(points[:, 0])) * ranks) // len(points), ranks - 1) == rank
-    if chosen is not None:
-        own &= chosen
-    data = vtkPolyData()
-    data.SetPoints(vtkPoints())
-    data.GetPoints().SetData(numpy_to_vtk(np.ascontiguousarray(points[own], np.float32), deep=True))
-    for name, values in arrays.items():
-        array = numpy_to_vtk(np.ascontiguousarray(values[own], np.float32), deep=True)
-        array.SetName(name)
-        data.GetPointData().AddArray(array)
-    if "Normals" in arrays:
-        data.GetPointData().SetActiveNormals("Normals")
-    return data
+from spread import cloud, controller, polydata, rank, ranks, sphere
 
 
 def source_of(data):
@@ -43,17 +23,6 @@ def source_of(data):
     source.GetClientSideObject().SetOutput(data)
     source.UpdatePipeline()
     return source
-
-
-def sphere(count=20000):
-    """As scene.sphere_points, with radii that vary."""
-    i = np.arange(count) + 0.5
-    z = 1 - 2 * i / count
-    angle = np.pi * (1 + 5**0.5) * i
-    r = np.sqrt(1 - z * z)
-    points = np.stack([r * np.cos(angle), r * np.sin(angle), z], axis=-1)
-    radius = np.sqrt(4 * np.pi / count) * (1.5 + 0.5 * (np.arange(count) % 3 == 0))
-    return points, {"Normals": points, "height": z, "radius": radius}
 
 
 def dragon():
@@ -65,6 +34,16 @@ def dragon():
         if data.GetPointData().HasArray(name)
     }
     return vtk_to_numpy(data.GetPoints().GetData()), arrays
+
+
+def splats(points, arrays):
+    """Those fitted to the whole cloud, which every rank does alike, spread as points are."""
+    fitted = simple.AlgebraicSplats(source_of(polydata(points, arrays)))
+    fitted.UpdatePipeline()
+    data = fitted.GetClientSideObject().GetOutputDataObject(0)
+    fields = data.GetPointData()
+    values = {fields.GetArrayName(i): vtk_to_numpy(fields.GetArray(i)) for i in range(fields.GetNumberOfArrays())}
+    return cloud(vtk_to_numpy(data.GetPoints().GetData()), **values)
 
 
 def tree(points, arrays):
@@ -208,13 +187,15 @@ vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_WARNING)
 vtkLogger.LogToFile(log, vtkLogger.TRUNCATE, vtkLogger.VERBOSITY_INFO)
 view = scene.view()
 points, arrays = sphere()
-arrays["number"] = np.arange(len(points))
+arrays["number"] = np.arange(len(points), dtype=float)
 whole = source_of(cloud(points, **arrays))
 for system in ("Pull-Push", "Image-Space", "Surface Splats"):
     draw(view, system, whole, system)
 draw(view, "Direct", whole, "Direct")
 if ranks > 1:
     check_log(log, whole.GetClientSideObject().GetOutputDataObject(0).GetNumberOfPoints())
+draw(view, "Algebraic Splats", source_of(splats(points, arrays)), "Algebraic Splats")
+draw(view, "of-one-rank", source_of(cloud(points, points[:, 0] < -0.4, **arrays)), "Pull-Push")  # others have no point
 draw(view, "translucent", whole, "Pull-Push", Opacity=0.5, BackfaceRepresentation="Cull Backface")
 scene.show(whole, view, "Pull-Push", Opacity=1, BackfaceRepresentation="Follow Frontface")
 if ranks == 2:

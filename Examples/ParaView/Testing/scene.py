@@ -23,7 +23,7 @@ BASELINES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "Baseline")
 BACKGROUND = 51  # grey level
 
 simple._DisableFirstRenderCameraReset()
-simple.LoadPlugin(os.environ["POINTSURFACE_PLUGIN"], remote=False, ns=vars(simple))
+simple.LoadPlugin(os.environ["POINTSURFACE_PLUGIN"], ns=vars(simple))
 
 POINTS = """
 import numpy as np
