@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The benchmark's report: a table as CSV and as Markdown, and plots; who is on the Pareto front, and which peers are not beaten.
+"""The benchmark's report: tables as CSV and as Markdown, and plots; who is on the Pareto front, and which peers are not beaten.
 
 `measured` is a list of pairs, of a Case and what measure_case() has of it.
 """
@@ -68,7 +68,7 @@ def pareto(rows):
 
 
 def exceptions(rows):
-    """The peers that none of ours is as fast as at no larger error, each with the fastest of ours at no larger error, or None."""
+    """The peers that none of ours is as fast as at no larger error, and the fastest of ours at no larger error, or None."""
     result = {}
     for peer in (name for name in PEERS if name in rows):
         as_good = [name for name in OUR_WAYS if name in rows and rows[name]["psnr"] >= rows[peer]["psnr"]]
@@ -176,27 +176,18 @@ def _markdown(measured, wanted, command, plots):
 def _introduction(measured, wanted, command):
     drawn = {name for _, result in measured for name in result["rows"]}
     minutes = sum(result["seconds"] for _, result in measured) / 60
-    lines = [
-        "# Speed against error",
-        "",
-        f"By `{command}`, on {measured[0][1]['renderer']}, in {minutes:.0f} minutes.",
-        "",
-        f"- ms: the median of {FRAMES} frames after warm-up, camera moving, until OpenGL has finished them, by the clock; of fewer",
-        f"  where {MOST_SECONDS} seconds hold no more, as the column \"frames\" says. ms, threads: of the process, over all its threads.",
-        "- First frame: with all that is done once, such as upload, order in space, and the fit of algebraic splats.",
-        f"- Points are sampled uniformly by area, at random, with exact normals and a radius of {RADIUS} times the mean spacing.",
-        f"- {GAUSSIAN} draws opaque discs of 0.7 of the radius, triangle scale 1; {FILL} fills between points of 1 pixel;",
-        f"  these, and {FAMILY}, draw colours of points that were lit one by one.",
-        f"- By {' and '.join(BACKENDS)}: the back end that is not taken by itself here. {TWICE}: supersampling.",
-        "- Truth: the mesh, 16 samples a pixel. 95%: of the angles between normals, the 95th percentile. A star stands at what none",
-        "  but the mesh beats in both time and PSNR.",
-    ]
+    automatic = measured[0][1]["automatic"]
+    other = next(backend for backend in BACKENDS if backend != automatic)
+    text = INTRODUCTION.format(
+        command=command, renderer=measured[0][1]["renderer"], minutes=minutes, other=other, automatic=automatic
+    )
+    lines = text.splitlines()
     if EWA in drawn:
-        lines += [f"- {EWA} are the two-pass splatter of Testing/Reference, which is the yardstick of errors, not of time."]
+        lines += [f"- {EWA}: the two-pass splatter of Testing/Reference, which is the yardstick of errors, not of time."]
     if OPEN3D in drawn:
         lines += [f"- {OPEN3D}'s offscreen renderer draws points of {POINT_SIZE} pixels, each frame with its reading back."]
     if set(shared_meshes()) & {case.scene for case, _ in measured}:
-        lines += ["- Of the models bunny, armadillo, dragon, buddha and lucy are of the Stanford University Computer Graphics Laboratory."]
+        lines += [CREDIT]
     if len(measured) < wanted:
         lines += ["", f"{len(measured)} of {wanted} measurements are made; the same command goes on."]
     return lines
@@ -206,6 +197,8 @@ def _front_section(measured):
     lines = ["## The fronts", "", "What none but the mesh beats in both time and PSNR, the fastest first: ms, dB.", ""]
     lines += _table(["scene", "front", "mesh"], "lll")
     for case, result in measured:
+        if case.scene in SPREADS:  # with no peers
+            continue
         rows = result["rows"]
         front = sorted(pareto(rows), key=lambda name: rows[name]["milliseconds"])
         mesh = next((_figures(rows[name]) for name in (MESH, FLYING_EDGES) if name in rows), "")
@@ -219,10 +212,11 @@ def _figures(row):
 
 
 def _exceptions_section(measured):
-    lines = ["## Exceptions", "", "Peers that none of ours is as fast as at no larger error, and the fastest of ours at no larger error:"]
+    lines = ["## Exceptions", "", "Peers that none of ours is as fast as at no larger error"]
     found = [(case, result["rows"], exceptions(result["rows"])) for case, result in measured]
     if not any(each for _, _, each in found):
-        return [*lines[:2], lines[2].split(",")[0] + ": none."]
+        return [*lines[:2], f"{lines[2]}: none."]
+    lines[2] += ", and the fastest of ours at no larger error:"
     lines += ["", *_table(["scene", "peer", "ms", "PSNR, dB", "ours", "ms", "PSNR, dB"], "llrrlrr")]
     for case, rows, peers in found:
         for peer, ours in peers.items():
@@ -234,7 +228,8 @@ def _exceptions_section(measured):
 def _picked_section(measured):
     """What vtkPointSurfaceMapperFactory picks beside what measures best."""
     figures = [COLUMNS[column][0] for column in JUDGED]
-    lines = _table(["scene", "back end", "picked", *figures, "best", *figures], "lll" + "r" * len(JUDGED) + "l" + "r" * len(JUDGED))
+    sides = "r" * len(JUDGED)
+    lines = _table(["scene", "back end", "picked", *figures, "best", *figures], f"lll{sides}l{sides}")
     others, count = 0, 0
     for case, result in measured:
         for backend in BACKENDS:
@@ -249,12 +244,7 @@ def _picked_section(measured):
     if not count:
         return []
     return [
-        "## What is picked",
-        "",
-        "The mapper that vtkPointSurfaceMapperFactory picks, by back end, and, where it is another one, what measures best: the",
-        f"fastest of ours within {CLOSE} dB of the least error that one of them has, with no supersampling. For points without",
-        "normals the time to the first frame counts too, in which the others estimate them, and the normals where there is noise",
-        "(half of the mean spacing, along the normal; direct.md has more of it).",
+        *PICKED.splitlines(),
         "",
         f"Picked is what measures best in {count - others} of {count}.",
         "",
@@ -263,7 +253,7 @@ def _picked_section(measured):
 
 
 def _judged(row):
-    return [COLUMNS[column][1].format(row[column]) for column in JUDGED]
+    return [_cell(row, column) for column in JUDGED]
 
 
 def _many_points_section(measured):
@@ -287,15 +277,7 @@ def _many_points_section(measured):
         return []
     few, many = (f"{count // 1_000_000} million" for count in (FEW, MANY))
     head = ["scene", "drawn by", f"ms, threads, {few}", many, "ratio", f"PSNR, dB, {few}", many, "difference", "met"]
-    return [
-        "## As many points as there may be",
-        "",
-        f"{many} points beside {few} on the same surface; aimed at: at most {MOST_RATIO} times the time of all threads, and at most",
-        f"{MOST_LOSS} dB less.",
-        "",
-        *_table(head, "llrrrrrrl"),
-        *lines,
-    ]
+    return [*MANY_POINTS.splitlines(), "", *_table(head, "llrrrrrrl"), *lines]
 
 
 def _scenes_section(measured):
@@ -305,16 +287,16 @@ def _scenes_section(measured):
         front = pareto(rows)
         lines += ["", f"### {case.title[0].upper()}{case.title[1:]}", ""]
         if case.scene in ISOSURFACES:
-            lines += [
-                "From a new isovalue to the finished frame: of ours with vtkIsosurfacePoints, of the mesh with vtkFlyingEdges3D,",
-                "its normals among it. The isovalue is another one in every frame.",
-                "",
-            ]
+            lines += [*ISOSURFACE.splitlines(), ""]
         lines += _table(["drawn by", *(heading for heading, _, _ in COLUMNS.values())], "l" + "r" * len(COLUMNS))
         for name, row in rows.items():
-            cells = ["" if row[key] is None else layout.format(factor * row[key]) for key, (_, layout, factor) in COLUMNS.items()]
-            lines.append(_row([f"{name}{' *' if name in front else ''}", *cells]))
+            lines.append(_row([f"{name}{' *' if name in front else ''}", *(_cell(row, column) for column in COLUMNS)]))
     return lines
+
+
+def _cell(row, column):
+    _, layout, factor = COLUMNS[column]
+    return "" if row[column] is None else layout.format(factor * row[column])
 
 
 def _link(case):
@@ -328,3 +310,32 @@ def _table(head, sides):
 
 def _row(cells):
     return "| " + " | ".join(cells) + " |"
+
+
+INTRODUCTION = f"""# Speed against error
+
+By `{{command}}`, on {{renderer}}, in {{minutes:.0f}} minutes.
+
+- ms: the median of {FRAMES} frames after warm-up, camera moving, until OpenGL has finished them, by the clock; of fewer
+  where {MOST_SECONDS} seconds hold no more, as the column "frames" says. ms, threads: of the process, over all its threads.
+- First frame: with all that is done once, such as upload, order in space, and the fit of algebraic splats.
+- Points are sampled uniformly by area, at random, with exact normals and a radius of {RADIUS} times the mean spacing.
+- {GAUSSIAN} draws opaque discs of 0.7 of the radius, triangle scale 1; {FILL} fills between points
+  of 1 pixel; these, and {FAMILY}, draw colours of points that were lit one by one.
+- {{other}} after a name: by that back end; otherwise it is {{automatic}}, which is taken by itself here. {TWICE}: supersampling.
+- Truth: the mesh, 16 samples a pixel. 95%: of the angles between normals, the 95th percentile.
+- A star: none but the mesh beats it in both time and PSNR.
+"""
+CREDIT = "- The models bunny, armadillo, dragon, buddha and lucy are of the Stanford University Computer Graphics Laboratory."
+PICKED = f"""## What is picked
+
+The mapper that vtkPointSurfaceMapperFactory picks, by back end, and, where it is another one, what measures best: the
+fastest of ours within {CLOSE} dB of the least error that one of them has, with no supersampling. For points without
+normals the time to the first frame counts too, in which the others estimate them, and the normals where there is noise
+(half of the mean spacing, along the normal; direct.md has more of it)."""
+MANY_POINTS = f"""## As many points as there may be
+
+{MANY // 1_000_000} million points beside {FEW // 1_000_000} million on the same surface; aimed at: at most {MOST_RATIO} times the time of all threads, and at
+most {MOST_LOSS} dB less."""
+ISOSURFACE = """From a new isovalue to the finished frame: of ours with vtkIsosurfacePoints, of the mesh with vtkFlyingEdges3D,
+its normals among it. The isovalue is another one in every frame."""

@@ -39,11 +39,11 @@ BACKENDS = ("CPU", "OpenGL")
 ALGEBRAIC = "algebraic-splats"
 OURS = [name for name in METHODS if name != ALGEBRAIC]
 TWICE = "2x"  # after a method: with supersampling
-PICKED_ON_OPENGL = ("pull-push", "surface-splats", "direct")  # methods that are measured by both back ends
+TWO_BACKENDS = ("pull-push", "surface-splats", "direct")  # methods that are measured by both, the last one without normals
 # Renderers of ours: method, supersampling and back end.
 OUR_WAYS = {name: (name, 1, "Automatic") for name in METHODS}
 OUR_WAYS |= {f"{name} {TWICE}": (name, 2, "Automatic") for name in OURS}
-OUR_WAYS |= {f"{name}, {backend}": (name, 1, backend) for backend in BACKENDS for name in PICKED_ON_OPENGL}
+OUR_WAYS |= {f"{name}, {backend}": (name, 1, backend) for backend in BACKENDS for name in TWO_BACKENDS}
 
 GAUSSIAN, FILL, MESH = "vtkPointGaussianMapper", "vtkPointFillPass", "mesh"
 POINTS = {f"points of OpenGL, {size} px": size for size in (1, 2, 4)}  # their sizes in pixels
@@ -146,7 +146,10 @@ class Stage:
             return count <= MOST_SPLATS and self.size[0] <= MOST_SPLAT_PIXELS
         if name == ALGEBRAIC:
             return count <= MOST_FITTED
-        return name not in OUR_WAYS or OUR_WAYS[name][2] != self.automatic_backend
+        method, _, backend = OUR_WAYS.get(name, (name, 1, ""))
+        if method == "direct" and backend in BACKENDS and self.cloud.GetPointData().GetNormals():
+            return False  # seconds a frame by OpenGL, and picked for points without normals alone
+        return backend != self.automatic_backend
 
     def measure(self, name, truth):
         """Milliseconds of a frame, of the clock and of all threads, and the measures of its picture; None: left out."""
