@@ -145,35 +145,37 @@ std::array<std::array<double, 4>, 6> GetFrustum(const vtkPointSurfaceView& view)
   return planes;
 }
 
-/// Whether a box lies on the outer side of a plane, farther from it than a distance.
-bool IsOutside(const std::array<std::array<double, 3>, 8>& corners,
-  const std::array<double, 4>& plane, double distance)
+/// A plane of eye coordinates in those that a matrix brings to the eye.
+std::array<double, 4> TakeBack(const std::array<double, 4>& plane, const std::array<double, 16>& m)
 {
-  const double limit = -distance * vtkMath::Norm(plane.data());
-  return std::all_of(corners.begin(), corners.end(),
-    [&](const std::array<double, 3>& x)
-    { return plane[0] * x[0] + plane[1] * x[1] + plane[2] * x[2] + plane[3] < limit; });
+  std::array<double, 4> result = { 0.0, 0.0, 0.0, plane[3] };
+  for (int k = 0; k < 4; ++k)
+  {
+    result[k] += plane[0] * m[4 * k] + plane[1] * m[4 * k + 1] + plane[2] * m[4 * k + 2];
+  }
+  return result;
 }
 
-std::array<std::array<double, 3>, 8> GetCorners(
-  const std::array<double, 6>& bounds, const std::array<double, 16>& m)
+/// Whether all of a box is beyond a plane.
+bool IsOutside(const std::array<double, 6>& bounds, const std::array<double, 4>& plane)
 {
-  std::array<std::array<double, 3>, 8> corners;
-  for (int c = 0; c < 8; ++c)
+  double largest = plane[3];
+  for (int k = 0; k < 3; ++k)
   {
-    const double x[3] = { bounds[c & 1], bounds[2 + (c >> 1 & 1)], bounds[4 + (c >> 2)] };
-    for (int k = 0; k < 3; ++k)
-    {
-      corners[c][k] = m[k] * x[0] + m[4 + k] * x[1] + m[8 + k] * x[2] + m[12 + k];
-    }
+    largest += std::max(plane[k] * bounds[2 * k], plane[k] * bounds[2 * k + 1]);
   }
-  return corners;
+  return largest < 0.0;
 }
 }
 
 void vtkPointSurfaceView::LeaveOutUnseen(const vtkSpatialOrder& order, double reach)
 {
-  const auto planes = GetFrustum(*this);
+  auto planes = GetFrustum(*this);
+  for (size_t side = 0; side < planes.size(); ++side)
+  {
+    planes[side][3] += side < 4 ? reach * vtkMath::Norm(planes[side].data()) : 0.0;
+    planes[side] = TakeBack(planes[side], this->ModelToEye);
+  }
   const std::vector<vtkSpatialOrder::Chunk>& chunks = order.GetChunks();
   std::vector<std::array<vtkIdType, 2>> seen;
   for (const auto& range : this->Ranges)
@@ -182,19 +184,18 @@ void vtkPointSurfaceView::LeaveOutUnseen(const vtkSpatialOrder& order, double re
       [](vtkIdType place, const vtkSpatialOrder::Chunk& c) { return place < c.End; });
     for (; chunk != chunks.end() && chunk->First < range[1]; ++chunk)
     {
-      const auto corners = GetCorners(chunk->Bounds, this->ModelToEye);
-      bool isOutside = false;
-      for (size_t side = 0; side < planes.size() && !isOutside; ++side)
+      if (std::any_of(planes.begin(), planes.end(),
+            [&](const std::array<double, 4>& plane) { return IsOutside(chunk->Bounds, plane); }))
       {
-        isOutside = IsOutside(corners, planes[side], side < 4 ? reach : 0.0);
+        continue;
       }
       const std::array<vtkIdType, 2> part = { std::max(range[0], chunk->First),
         std::min(range[1], chunk->End) };
-      if (!isOutside && !seen.empty() && seen.back()[1] == part[0])
+      if (!seen.empty() && seen.back()[1] == part[0])
       {
         seen.back()[1] = part[1];
       }
-      else if (!isOutside)
+      else
       {
         seen.push_back(part);
       }
