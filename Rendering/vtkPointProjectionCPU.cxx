@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <vector>
 
 namespace
@@ -85,35 +86,21 @@ void LoadInOrder(Block& block, int count, const double* tuples, const double* or
   LoadTuples(block, count, tuples, origin);
 }
 
-/// The tuples at the listed places.
-template <typename T>
-void LoadListed(
-  Block& block, int count, const T* tuples, const unsigned int* places, const double* origin)
+void LoadInOrder(Block& block, int count, const float* tuples)
 {
-  T listed[3 * BlockSize];
+  const double zero[3] = { 0.0, 0.0, 0.0 };
+  LoadInOrder(block, count, tuples, zero);
+}
+
+/// The tuples at the listed places.
+void LoadListed(Block& block, int count, const float* tuples, const unsigned int* places)
+{
+  float listed[3 * BlockSize];
   for (int i = 0; i < count; ++i)
   {
-    const T* tuple = tuples + 3 * static_cast<size_t>(places[i]);
-    listed[3 * i] = tuple[0];
-    listed[3 * i + 1] = tuple[1];
-    listed[3 * i + 2] = tuple[2];
+    std::copy_n(tuples + 3 * static_cast<size_t>(places[i]), 3, listed + 3 * i);
   }
-  LoadInOrder(block, count, listed, origin);
-}
-
-/// See Part::ListPoints().
-void Load(Block& block, vtkIdType first, int count, const float* tuples, const unsigned int* places,
-  const double* origin)
-{
-  first < 0 ? LoadListed(block, count, tuples, places, origin)
-            : LoadInOrder(block, count, tuples + 3 * first, origin);
-}
-
-void Load(Block& block, vtkIdType first, int count, const double* tuples,
-  const unsigned int* places, const double* origin)
-{
-  first < 0 ? LoadListed(block, count, tuples, places, origin)
-            : LoadInOrder(block, count, tuples + 3 * first, origin);
+  LoadInOrder(block, count, listed);
 }
 
 /// The rows of a matrix of eye or clip coordinates, for column vectors.
@@ -352,15 +339,16 @@ void vtkPointProjectionCPU::SetPoints(const vtkDrawablePoints* points, vtkDataAr
     this->Positions = vtkSmartPointer<vtkDoubleArray>::New();
     this->Positions->DeepCopy(cloud->GetPoints()->GetData());
   }
-  this->Copies = {};
-  this->LastLevel = 0;
+  this->Copies.clear();
   const bool inFloats = this->Positions->GetDataType() == VTK_FLOAT;
   void* positions = this->Positions->GetVoidPointer(0);
-  this->FloatPositions = inFloats ? static_cast<const float*>(positions) : nullptr;
-  this->DoublePositions = inFloats ? nullptr : static_cast<const double*>(positions);
+  Arrays& values = this->Values;
+  values.FloatPositions = inFloats ? static_cast<const float*>(positions) : nullptr;
+  values.DoublePositions = inFloats ? nullptr : static_cast<const double*>(positions);
   auto* normals = static_cast<vtkFloatArray*>(cloud->GetPointData()->GetNormals());
-  this->Normals = normals ? normals->GetPointer(0) : nullptr;
-  this->Radii = points->GetRadii() ? points->GetRadii()->GetPointer(0) : nullptr;
+  values.Normals = normals ? normals->GetPointer(0) : nullptr;
+  values.Radii = points->GetRadii() ? points->GetRadii()->GetPointer(0) : nullptr;
+  values.Ids = points->GetOrder().GetIds().data();
 
   this->Colors = colors;
   this->ColorsTime = colors ? colors->GetMTime() : 0;
@@ -370,15 +358,15 @@ void vtkPointProjectionCPU::SetPoints(const vtkDrawablePoints* points, vtkDataAr
     this->Colors->DeepCopy(colors);
   }
   const bool inBytes = colors && this->Colors->GetDataType() == VTK_UNSIGNED_CHAR;
-  void* values = colors ? this->Colors->GetVoidPointer(0) : nullptr;
-  this->ByteColors = inBytes ? static_cast<const unsigned char*>(values) : nullptr;
-  this->FloatColors = inBytes ? nullptr : static_cast<const float*>(values);
+  void* colorValues = colors ? this->Colors->GetVoidPointer(0) : nullptr;
+  this->ByteColors = inBytes ? static_cast<const unsigned char*>(colorValues) : nullptr;
+  this->FloatColors = inBytes ? nullptr : static_cast<const float*>(colorValues);
 
   const double* bounds = points->GetBounds();
   for (int k = 0; k < 3; ++k)
   {
     // a float, so that the difference to a float is the same in single and double precision
-    this->Origin[k] = static_cast<float>(0.5 * (bounds[2 * k] + bounds[2 * k + 1]));
+    values.Origin[k] = static_cast<float>(0.5 * (bounds[2 * k] + bounds[2 * k + 1]));
   }
 }
 
@@ -387,10 +375,10 @@ vtkPointProjectionCPU::Transform vtkPointProjectionCPU::GetTransform(
 {
   Transform t;
   const auto& m = view.MCVC;
+  const std::array<double, 3>& origin = this->Values.Origin;
   for (int k = 0; k < 3; ++k)
   {
-    const double shift =
-      this->Origin[0] * m[k] + this->Origin[1] * m[4 + k] + this->Origin[2] * m[8 + k] + m[12 + k];
+    const double shift = origin[0] * m[k] + origin[1] * m[4 + k] + origin[2] * m[8 + k] + m[12 + k];
     t.Eye[k] = { static_cast<float>(m[k]), static_cast<float>(m[4 + k]),
       static_cast<float>(m[8 + k]), static_cast<float>(shift) };
     t.Normal[k] = { static_cast<float>(view.Normal[k]), static_cast<float>(view.Normal[3 + k]),
@@ -424,66 +412,16 @@ struct vtkPointProjectionCPU::Part
   const Cloud* Source;
   Transform View;
 
-  /// Groups of points of a range, see vtkPointThinning.
-  struct Groups
-  {
-    vtkIdType First, End;
-    std::array<vtkIdType, 2> Range;
-  };
-  std::vector<Groups> Blocks;
+  Arrays Values; // of the points, or of what stands for groups of them
 
-  int GetNumberOfChunks() const
+  std::vector<std::array<vtkIdType, 2>> Blocks; // of these
+
+  int GetCount(size_t block) const
   {
-    return static_cast<int>((this->Blocks.size() + ChunkBlocks - 1) / ChunkBlocks);
+    return static_cast<int>(this->Blocks[block][1] - this->Blocks[block][0]);
   }
 
-  /// What stands for the points one after the other, or nullptr where there are no copies.
-  const Representatives* GetCopies() const
-  {
-    const Representatives& copies = this->Source->Projection->Copies;
-    const int level = this->Source->Thinning;
-    return level > 0 && copies.Level == level ? &copies : nullptr;
-  }
-
-  /// The points of a block: lists their places in the cloud and returns their number. `first` is
-  /// where they begin, in the cloud or among the copies, if they follow each other; else it is -1.
-  int ListPoints(size_t block, unsigned int* places, vtkIdType& first) const
-  {
-    const Groups& groups = this->Blocks[block];
-    const int level = this->Source->Thinning;
-    first = level == 0 ? groups.First : -1;
-    int count = 0;
-    if (level == 0)
-    {
-      count = static_cast<int>(groups.End - groups.First);
-      const auto begin = static_cast<unsigned int>(groups.First);
-      for (int i = 0; i < count; ++i)
-      {
-        places[i] = begin + i;
-      }
-      return count;
-    }
-    if (const Representatives* copies = this->GetCopies())
-    {
-      const auto begin = copies->Places.begin();
-      const auto from = std::lower_bound(begin + groups.First, begin + groups.End, groups.Range[0]);
-      const auto to = std::lower_bound(from, begin + groups.End, groups.Range[1]);
-      first = from - begin;
-      std::copy(from, to, places);
-      return static_cast<int>(to - from);
-    }
-    for (vtkIdType group = groups.First; group < groups.End; ++group)
-    {
-      const unsigned int place =
-        vtkPointThinning::GetPoint(static_cast<unsigned int>(group), level);
-      places[count] = place;
-      // a group may reach over the range
-      count += place >= groups.Range[0] && place < groups.Range[1];
-    }
-    return count;
-  }
-
-  /// Where the arrays of the cloud have the point at a place among all.
+  /// Where the arrays have the point at a place among all.
   size_t GetOwnPlace(unsigned int place) const
   {
     return place - static_cast<size_t>(this->Source->FirstId);
@@ -491,86 +429,78 @@ struct vtkPointProjectionCPU::Part
 
   unsigned int GetId(size_t ownPlace) const
   {
-    const std::vector<unsigned int>& ids = this->Source->Projection->Points->GetOrder().GetIds();
-    return ids[ownPlace] + static_cast<unsigned int>(this->Source->FirstId);
+    return this->Values.Ids[ownPlace] + static_cast<unsigned int>(this->Source->FirstId);
   }
 
   std::array<float, 4> GetColor(size_t ownPlace) const
   {
     const vtkPointProjectionCPU& cloud = *this->Source->Projection;
-    return cloud.Colors ? cloud.GetColor(ownPlace) : this->Source->Color;
+    const auto place =
+      vtkPointThinning::GetPoint(static_cast<std::uint32_t>(ownPlace), this->Source->Thinning);
+    return cloud.Colors ? cloud.GetColor(place) : this->Source->Color;
   }
 
-  float GetRadius(size_t ownPlace) const
+  float GetUniformRadius() const
   {
-    const vtkPointProjectionCPU& cloud = *this->Source->Projection;
-    return cloud.Radii ? cloud.Radii[ownPlace]
-                       : static_cast<float>(cloud.Points->GetUniformRadius());
+    return static_cast<float>(this->Source->Projection->Points->GetUniformRadius());
   }
 
-  /// Positions about the origin, of points as ListPoints() tells them.
-  void LoadPositions(Block& block, vtkIdType first, int count, const unsigned int* ownPlaces) const
+  /// Positions of the points of a block about the origin.
+  void LoadPositions(Block& positions, size_t block) const
   {
-    const vtkPointProjectionCPU& cloud = *this->Source->Projection;
-    const double* origin = cloud.Origin.data();
-    const Representatives* copies = this->GetCopies();
-    if (copies && first >= 0)
-    {
-      const double zero[3] = { 0.0, 0.0, 0.0 };
-      LoadInOrder(block, count, &copies->Positions[3 * first], zero);
-      return;
-    }
-    cloud.FloatPositions ? Load(block, first, count, cloud.FloatPositions, ownPlaces, origin)
-                         : Load(block, first, count, cloud.DoublePositions, ownPlaces, origin);
+    const vtkIdType first = 3 * this->Blocks[block][0];
+    const int count = this->GetCount(block);
+    const Arrays& values = this->Values;
+    values.FloatPositions
+      ? LoadInOrder(positions, count, values.FloatPositions + first, values.Origin.data())
+      : LoadInOrder(positions, count, values.DoublePositions + first, values.Origin.data());
   }
 
   /// The same of normals, zero where the cloud has none.
-  void LoadNormals(Block& block, vtkIdType first, int count, const unsigned int* ownPlaces) const
+  void LoadNormals(Block& normals, size_t block) const
   {
-    const vtkPointProjectionCPU& cloud = *this->Source->Projection;
-    const double zero[3] = { 0.0, 0.0, 0.0 };
-    const Representatives* copies = this->GetCopies();
-    if (cloud.Normals)
+    if (this->Values.Normals)
     {
-      const bool copied = copies && first >= 0;
-      Load(block, first, count, copied ? copies->Normals.data() : cloud.Normals, ownPlaces, zero);
+      LoadInOrder(
+        normals, this->GetCount(block), this->Values.Normals + 3 * this->Blocks[block][0]);
     }
     else
     {
-      block = {};
+      normals = {};
+    }
+  }
+
+  /// The same of points at listed places.
+  void LoadNormals(Block& normals, int count, const unsigned int* ownPlaces) const
+  {
+    if (this->Values.Normals)
+    {
+      LoadListed(normals, count, this->Values.Normals, ownPlaces);
+    }
+    else
+    {
+      normals = {};
     }
   }
 
   /// The same of radii.
-  void LoadRadii(float* radii, vtkIdType first, int count, const unsigned int* ownPlaces) const
+  void LoadRadii(float* radii, size_t block) const
   {
-    const vtkPointProjectionCPU& cloud = *this->Source->Projection;
-    const Representatives* copies = this->GetCopies();
-    if (cloud.Radii && first >= 0)
-    {
-      std::copy_n((copies ? copies->Radii.data() : cloud.Radii) + first, count, radii);
-      return;
-    }
-    for (int i = 0; i < count; ++i)
-    {
-      radii[i] = this->GetRadius(ownPlaces[i]);
-    }
+    const int count = this->GetCount(block);
+    this->Values.Radii ? std::copy_n(this->Values.Radii + this->Blocks[block][0], count, radii)
+                       : std::fill_n(radii, count, this->GetUniformRadius());
   }
 
-  /// The same of the ids of all clouds' points.
-  void LoadIds(unsigned int* ids, vtkIdType first, int count, const unsigned int* ownPlaces) const
+  void LoadRadii(float* radii, int count, const unsigned int* ownPlaces) const
   {
-    const Representatives* copies = this->GetCopies();
-    if (copies && first >= 0)
+    if (!this->Values.Radii)
     {
-      const auto firstId = static_cast<unsigned int>(this->Source->FirstId);
-      std::transform(copies->Ids.begin() + first, copies->Ids.begin() + first + count, ids,
-        [firstId](unsigned int id) { return id + firstId; });
+      std::fill_n(radii, count, this->GetUniformRadius());
       return;
     }
     for (int i = 0; i < count; ++i)
     {
-      ids[i] = this->GetId(ownPlaces[i]);
+      radii[i] = this->Values.Radii[ownPlaces[i]];
     }
   }
 };
@@ -578,48 +508,58 @@ struct vtkPointProjectionCPU::Part
 //------------------------------------------------------------------------------
 void vtkPointProjectionCPU::CopyRepresentatives(int level)
 {
-  Representatives& copies = this->Copies;
-  // not at once, as a level that lasts for one frame, or points that do, would gain nothing
-  const bool lasts = level == this->LastLevel;
-  this->LastLevel = level;
-  if (level == 0 || level == copies.Level || !lasts)
+  if (level == 0 || this->Copies.count(level) > 0)
   {
     return;
   }
-  const std::vector<unsigned int>& ids = this->Points->GetOrder().GetIds();
-  const auto points = static_cast<vtkIdType>(ids.size());
+  Representatives& copies = this->Copies[level];
+  const Arrays& values = this->Values;
+  const auto points = static_cast<vtkIdType>(this->Points->GetOrder().GetIds().size());
   const vtkIdType count = vtkPointThinning::GetNumberOfGroups(points, level);
-  copies.Level = level;
-  copies.Places.resize(count);
   copies.Ids.resize(count);
   copies.Positions.resize(3 * count);
-  copies.Normals.resize(this->Normals ? 3 * count : 0);
-  copies.Radii.resize(this->Radii ? count : 0);
+  copies.Normals.resize(values.Normals ? 3 * count : 0);
+  copies.Radii.resize(values.Radii ? count : 0);
   vtkSMPTools::For(0, count,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        copies.Places[i] = vtkPointThinning::GetPoint(static_cast<unsigned int>(i), level);
-        // the last group may reach over the end, where nothing is read
-        const size_t place = std::min<size_t>(copies.Places[i], points - 1);
-        copies.Ids[i] = ids[place];
+        // that of the last group may be beyond the end, and is not drawn then
+        const size_t place = std::min<size_t>(
+          vtkPointThinning::GetPoint(static_cast<unsigned int>(i), level), points - 1);
+        copies.Ids[i] = values.Ids[place];
         for (int k = 0; k < 3; ++k)
         {
-          copies.Positions[3 * i + k] = this->FloatPositions
-            ? this->FloatPositions[3 * place + k] - static_cast<float>(this->Origin[k])
-            : static_cast<float>(this->DoublePositions[3 * place + k] - this->Origin[k]);
+          copies.Positions[3 * i + k] = values.FloatPositions
+            ? values.FloatPositions[3 * place + k] - static_cast<float>(values.Origin[k])
+            : static_cast<float>(values.DoublePositions[3 * place + k] - values.Origin[k]);
         }
-        if (this->Normals)
+        if (values.Normals)
         {
-          std::copy_n(this->Normals + 3 * place, 3, &copies.Normals[3 * i]);
+          std::copy_n(values.Normals + 3 * place, 3, &copies.Normals[3 * i]);
         }
-        if (this->Radii)
+        if (values.Radii)
         {
-          copies.Radii[i] = this->Radii[place];
+          copies.Radii[i] = values.Radii[place];
         }
       }
     });
+}
+
+vtkPointProjectionCPU::Arrays vtkPointProjectionCPU::GetArrays(int level) const
+{
+  if (level == 0)
+  {
+    return this->Values;
+  }
+  const Representatives& copies = this->Copies.at(level);
+  Arrays arrays;
+  arrays.FloatPositions = copies.Positions.data();
+  arrays.Normals = this->Values.Normals ? copies.Normals.data() : nullptr;
+  arrays.Radii = this->Values.Radii ? copies.Radii.data() : nullptr;
+  arrays.Ids = copies.Ids.data();
+  return arrays;
 }
 
 //------------------------------------------------------------------------------
@@ -649,14 +589,14 @@ std::vector<vtkPointProjectionCPU::Part> vtkPointProjectionCPU::MakeParts(
   std::vector<Part> parts;
   for (const Cloud& cloud : clouds)
   {
-    parts.push_back({ &cloud, cloud.Projection->GetTransform(cloud.View), {} });
+    const vtkPointProjectionCPU& projection = *cloud.Projection;
+    parts.push_back(
+      { &cloud, projection.GetTransform(cloud.View), projection.GetArrays(cloud.Thinning), {} });
     for (const auto& range : cloud.View.Ranges)
     {
-      const vtkIdType end = ((range[1] - 1) >> cloud.Thinning) + 1;
-      for (vtkIdType first = range[0] >> cloud.Thinning; first < end; first += BlockSize)
+      for (vtkIdType first = range[0]; first < range[1]; first += BlockSize)
       {
-        parts.back().Blocks.push_back(
-          { first, std::min<vtkIdType>(first + BlockSize, end), range });
+        parts.back().Blocks.push_back({ first, std::min<vtkIdType>(first + BlockSize, range[1]) });
       }
     }
   }
@@ -702,15 +642,13 @@ int vtkPointProjectionCPU::FindTiles(
     [&](vtkIdType begin, vtkIdType end)
     {
       Block positions;
-      unsigned int places[BlockSize + 1];
       for (vtkIdType i = begin; i < end; ++i)
       {
         Site& site = this->Sites[i];
         const Part& part = parts[site.Part];
-        vtkIdType first;
-        const int count = part.ListPoints(site.Block, places, first);
-        part.LoadPositions(positions, first, count, places);
-        const std::array<int, 4> pixels = FindBounds(positions, count, part.View, rectangle);
+        part.LoadPositions(positions, site.Block);
+        const std::array<int, 4> pixels =
+          FindBounds(positions, part.GetCount(site.Block), part.View, rectangle);
         const bool seen = pixels[2] >= 0;
         for (int k = 0; k < 4; ++k)
         {
@@ -761,7 +699,7 @@ struct vtkPointProjectionCPU::Tile
   {
     float X, Y, Z;      // in eye coordinates
     int Pixel;          // of the tile
-    unsigned int Place; // in the cloud
+    unsigned int Place; // in the part's arrays
   };
 
   /// From one plane of values to the next: not a power of two, which a cache has few places for.
@@ -783,7 +721,7 @@ struct vtkPointProjectionCPU::Tile
   alignas(64) float Counts[TilePixels] = {};
   std::array<bool, TileSize> HasCompanions; // of the rows: whether some are sums of several points
 
-  void Append(const Block& positions, const int* pixels, const unsigned int* places, int count);
+  void Append(const Block& positions, const int* pixels, unsigned int firstPlace, int count);
   void FindNearest();
   void FindFarthest(vtkSurfaceImage& nearest, float tolerance);
   void Write(vtkSurfaceImage& image) const;
@@ -806,7 +744,7 @@ struct vtkPointProjectionCPU::Tile
 
 /// Those of a block that fall into the tile.
 void vtkPointProjectionCPU::Tile::Append(
-  const Block& positions, const int* pixels, const unsigned int* places, int count)
+  const Block& positions, const int* pixels, unsigned int firstPlace, int count)
 {
   if (this->Points.size() < static_cast<size_t>(this->Count + BlockSize))
   {
@@ -816,7 +754,7 @@ void vtkPointProjectionCPU::Tile::Append(
   Point* to = &this->Points[this->Count];
   for (int i = 0; i < count; ++i)
   {
-    *to = { positions.X[i], positions.Y[i], positions.Z[i], pixels[i], places[i] };
+    *to = { positions.X[i], positions.Y[i], positions.Z[i], pixels[i], firstPlace + i };
     to += pixels[i] >= 0;
   }
   this->Count = static_cast<int>(to - this->Points.data());
@@ -925,27 +863,25 @@ void vtkPointProjectionCPU::ListPoints(const std::vector<Part>& parts, int index
   Block positions;
   Block normals;
   int pixels[BlockSize];
-  unsigned int places[BlockSize + 1];
   tile.Count = 0;
   tile.PartEnds.assign(parts.size(), 0);
   for (size_t i = index == 0 ? 0 : this->SiteEnds[index - 1]; i < this->SiteEnds[index]; ++i)
   {
     const Site& site = this->Sites[this->TileSites[i]];
     const Part& part = parts[site.Part];
-    vtkIdType first;
-    const int count = part.ListPoints(site.Block, places, first);
-    part.LoadPositions(positions, first, count, places);
+    const int count = part.GetCount(site.Block);
+    part.LoadPositions(positions, site.Block);
     if (part.View.Cull != vtkPointSurfaceView::NoCulling)
     {
-      part.LoadNormals(normals, first, count, places);
+      part.LoadNormals(normals, site.Block);
     }
     ProjectBlock(positions, normals, count, part.View, tile.Rectangle, tile.X, pixels);
-    tile.Append(positions, pixels, places, count);
+    tile.Append(positions, pixels, static_cast<unsigned int>(part.Blocks[site.Block][0]), count);
     tile.PartEnds[site.Part] = tile.Count;
   }
 }
 
-/// What listed points of a part leave in their pixels, and their places in the cloud.
+/// What listed points of a part leave in their pixels, and their places in its arrays.
 void vtkPointProjectionCPU::FetchFootprints(const Part& part,
   const vtkPointProjectionOptions& options, const Tile& tile, const int* list, int count,
   Footprints& points, unsigned int* places)
@@ -960,8 +896,8 @@ void vtkPointProjectionCPU::FetchFootprints(const Part& part,
     points.Rows[i] = tile.Y + point.Pixel / TileSize;
     places[i] = point.Place;
   }
-  part.LoadNormals(points.Normals, -1, count, places);
-  part.LoadRadii(points.Radii, -1, count, places);
+  part.LoadNormals(points.Normals, count, places);
+  part.LoadRadii(points.Radii, count, places);
   FindFootprints(points, count, part.View, options);
 }
 
@@ -1250,26 +1186,25 @@ vtkPointProjectionCPU::EyeBlocks::~EyeBlocks() = default;
 void vtkPointProjectionCPU::EyeBlocks::Fetch(size_t index, EyePoints& points) const
 {
   const Part& part = this->Parts[this->Blocks[index][0]];
+  const size_t block = this->Blocks[index][1];
+  const auto first = static_cast<unsigned int>(part.Blocks[block][0]);
   const auto firstId = static_cast<unsigned int>(part.Source->FirstId);
-  unsigned int places[BlockSize + 1];
+  const unsigned int* ids = part.Values.Ids + first;
   Block positions;
   Block normals;
   float radii[BlockSize];
-  unsigned int ids[BlockSize];
   int seen[BlockSize];
-  vtkIdType first;
-  const int count = part.ListPoints(this->Blocks[index][1], places, first);
-  part.LoadPositions(positions, first, count, places);
-  part.LoadNormals(normals, first, count, places);
-  part.LoadRadii(radii, first, count, places);
-  part.LoadIds(ids, first, count, places);
+  const int count = part.GetCount(block);
+  part.LoadPositions(positions, block);
+  part.LoadNormals(normals, block);
+  part.LoadRadii(radii, block);
   TransformBlock(positions, normals, radii, count, part.View, this->ClippingReach, points, seen);
   if (std::find(seen, seen + count, 0) == seen + count)
   {
     points.Count = count;
-    std::copy_n(ids, count, points.Id);
-    std::transform(places, places + count, points.Place,
-      [firstId](unsigned int place) { return firstId + place; });
+    std::transform(
+      ids, ids + count, points.Id, [firstId](unsigned int id) { return firstId + id; });
+    std::iota(points.Place, points.Place + count, firstId + first);
     return;
   }
   // without a branch that half of the points would take
@@ -1284,8 +1219,8 @@ void vtkPointProjectionCPU::EyeBlocks::Fetch(size_t index, EyePoints& points) co
     points.NormalY[to] = points.NormalY[i];
     points.NormalZ[to] = points.NormalZ[i];
     points.Radius[to] = points.Radius[i];
-    points.Place[to] = firstId + places[i];
-    points.Id[to] = ids[i];
+    points.Place[to] = firstId + first + i;
+    points.Id[to] = firstId + ids[i];
     points.Count += seen[i];
   }
 }

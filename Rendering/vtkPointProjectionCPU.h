@@ -21,6 +21,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -53,15 +54,17 @@ public:
   std::array<float, 4> GetColor(size_t place) const;
 
   /**
-   * Copies what a level of vtkPointThinning leaves of the points, one after the other, if the last
-   * call was for that level too. Nothing is drawn differently, but less is read for it.
+   * Has to be called before points are drawn that are thinned to this level of vtkPointThinning:
+   * copies those, so that what is read follows each other. Copies are kept, at most as many points
+   * as there are.
    */
   void CopyRepresentatives(int level);
 
   /**
    * A cloud to draw: its projection, and a view whose MCVC is of the points' own coordinates; what
    * the ids of its points begin with; its colour where the layer Color is wanted and it has none.
-   * Radii are those of the thinned points, see vtkPointThinning.
+   * Thinned, the view's ranges are of groups, and its radii are those of what stands for them, see
+   * vtkPointThinning.
    */
   struct Cloud
   {
@@ -86,7 +89,7 @@ public:
 
   /**
    * Points in eye coordinates: normals of unit length, those that are not known facing the viewer;
-   * radii in eye units; places among the points of all clouds, and ids.
+   * radii in eye units; places among the points of all clouds, or the copies of them, and ids.
    */
   struct EyePoints
   {
@@ -108,15 +111,26 @@ private:
   struct Site; ///< where a block of points falls
   struct Tile; ///< what a thread works on
 
-  /// The points that stand for the groups of a level, in their order.
+  /// What stands for the groups of a level, in their order.
   struct Representatives
   {
-    int Level = 0; // 0 for none
-    std::vector<unsigned int> Places, Ids;
+    std::vector<unsigned int> Ids;
     std::vector<float> Positions; // about the origin
     std::vector<float> Normals, Radii;
   };
 
+  /// The values of points: of positions one of the two, about an origin.
+  struct Arrays
+  {
+    const float* FloatPositions = nullptr;
+    const double* DoublePositions = nullptr;
+    std::array<double, 3> Origin{};
+    const float* Normals = nullptr; // nullptr: all points face the viewer
+    const float* Radii = nullptr;   // nullptr: all have the same
+    const unsigned int* Ids = nullptr;
+  };
+
+  Arrays GetArrays(int level) const;
   Transform GetTransform(const vtkPointSurfaceView& view) const;
   static std::vector<Part> MakeParts(const std::vector<Cloud>& clouds);
   static const Part& GetPart(const std::vector<Part>& parts, unsigned int place);
@@ -138,17 +152,11 @@ private:
   const vtkDrawablePoints* Points = nullptr;
   vtkSmartPointer<vtkDataArray> Positions; // floats or doubles
   vtkSmartPointer<vtkDataArray> Colors;    // unsigned chars or floats
-  // The values of the arrays; of positions and of colours one of the two.
-  const float* FloatPositions = nullptr;
-  const double* DoublePositions = nullptr;
-  const float* Normals = nullptr; // nullptr: all points face the viewer
-  const float* Radii = nullptr;
-  const unsigned char* ByteColors = nullptr;
+  Arrays Values;
+  const unsigned char* ByteColors = nullptr; // one of the two
   const float* FloatColors = nullptr;
   vtkMTimeType ColorsTime = 0;
-  std::array<double, 3> Origin{}; // of the coordinates that are worked with
-  Representatives Copies;
-  int LastLevel = 0; // see CopyRepresentatives()
+  std::map<int, Representatives> Copies; // by level
 
   int TileColumns = 0;
   std::vector<Site> Sites;                        // of all blocks of points, in their order

@@ -301,19 +301,10 @@ void vtkPointProjectionOpenGL::DrawRanges(Pass& pass, const Cloud& cloud)
   std::vector<GLsizei> counts;
   for (const auto& range : cloud.View.Ranges)
   {
-    // the groups at either end may be represented by a point outside of the range
-    auto isOutside = [&](vtkIdType group)
-    {
-      const vtkIdType place = vtkPointThinning::GetPoint(static_cast<unsigned int>(group), level);
-      return place < range[0] || place >= range[1];
-    };
-    vtkIdType first = range[0] >> level;
-    vtkIdType last = (range[1] - 1) >> level;
-    first += isOutside(first) ? 1 : 0;
-    last -= last >= first && isOutside(last) ? 1 : 0;
-    firsts.push_back(static_cast<GLint>(first));
-    offsets.push_back(reinterpret_cast<const void*>((firstThinned + first) * sizeof(unsigned int)));
-    counts.push_back(static_cast<GLsizei>(last - first + 1));
+    firsts.push_back(static_cast<GLint>(range[0]));
+    offsets.push_back(
+      reinterpret_cast<const void*>((firstThinned + range[0]) * sizeof(unsigned int)));
+    counts.push_back(static_cast<GLsizei>(range[1] - range[0]));
   }
   const auto size = static_cast<GLsizei>(firsts.size());
   if (level == 0)

@@ -39,8 +39,8 @@ class vtkPointProjectionOpenGL
 public:
   /**
    * A cloud to draw: its projection and view; vertex buffers by the names vertexMC, normalMC,
-   * radiusMC, scalarColor, tcoord and colorTCoord. Radii are those of the thinned points, see
-   * vtkPointThinning.
+   * radiusMC, scalarColor, tcoord and colorTCoord. Thinned, the view's ranges are of groups, and
+   * its radii are those of what stands for them, see vtkPointThinning.
    */
   struct Cloud
   {

@@ -1223,8 +1223,8 @@ vtkDrawnClouds vtkPointSurfaceMapper::GetDrawnClouds(
     vtkPointSurfaceView ownView = member.GetView(view);
     ownView.GrowRadii(vtkPointThinning::GetRadiusFactor(ownThinning));
     ownView.LeaveOutUnseen(source.Points.GetOrder(), reach * ownView.LargestRadius);
-    member.Mapper->LastFramePointsDrawn +=
-      vtkPointThinning::GetNumberOfGroups(ownView.GetNumberOfPoints(), ownThinning);
+    ownView.Ranges = vtkPointThinning::GetGroups(ownView.Ranges, ownThinning);
+    member.Mapper->LastFramePointsDrawn += ownView.GetNumberOfPoints();
     if (this->LastFrameBackend == CPU)
     {
       source.ProjectionCPU.CopyRepresentatives(ownThinning);

@@ -35,3 +35,23 @@ int vtkPointThinning::GetLargestLevel(vtkIdType points)
   }
   return level;
 }
+
+std::vector<std::array<vtkIdType, 2>> vtkPointThinning::GetGroups(
+  const std::vector<std::array<vtkIdType, 2>>& ranges, int level)
+{
+  const auto getFirst = [level](vtkIdType point) // whose point is not before that one
+  {
+    const vtkIdType group = point >> level;
+    return GetPoint(static_cast<std::uint32_t>(group), level) < point ? group + 1 : group;
+  };
+  std::vector<std::array<vtkIdType, 2>> groups;
+  for (const auto& range : ranges)
+  {
+    const std::array<vtkIdType, 2> own = { getFirst(range[0]), getFirst(range[1]) };
+    if (own[0] < own[1])
+    {
+      groups.push_back(own);
+    }
+  }
+  return groups;
+}

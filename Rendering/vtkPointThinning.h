@@ -13,8 +13,10 @@
 
 #include "vtkType.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 struct vtkPointSurfaceView;
 
@@ -40,7 +42,11 @@ inline std::uint32_t GetPoint(std::uint32_t group, int level)
   return group;
 }
 
-/// How many groups so many points make.
+/// The groups, from one to the one past the last, whose points are in ranges of points.
+std::vector<std::array<vtkIdType, 2>> GetGroups(
+  const std::vector<std::array<vtkIdType, 2>>& ranges, int level);
+
+/// How many groups so many points make; of the last one the point may be beyond them.
 inline vtkIdType GetNumberOfGroups(vtkIdType points, int level)
 {
   return (points + (vtkIdType(1) << level) - 1) >> level;

@@ -269,8 +269,8 @@ def test_thinning():
 
 
 @pytest.mark.parametrize("kind", [np.float32, np.float64])
-def test_copies_of_thinned_points_change_nothing(kind):
-    """Once a level of thinning lasts, points are read from copies: the same is drawn, and points that move are seen to."""
+def test_copies_of_thinned_points(kind):
+    """They are of the blocks that are shown, by any level of thinning, and made anew of points that move."""
     data = spheres(150_001)
     arrays = vtk_to_numpy(data.GetPoints().GetData()).astype(kind), values(data, "Normals"), values(data, "radius")
     tree = vtkMultiBlockDataSet()
@@ -282,8 +282,8 @@ def test_copies_of_thinned_points_change_nothing(kind):
         block.GetPointData().AddArray(array(radii, "radius"))
         tree.SetBlock(number, block)
 
-    def draw(scene, angle):
-        scene.camera.SetPosition(5 * np.sin(angle), 0.5, 5 * np.cos(angle))
+    def draw(scene, angle, distance=5):
+        scene.camera.SetPosition(distance * np.sin(angle), 0.5, distance * np.cos(angle))
         scene.renderer.ResetCameraClippingRange()
         scene.window.Render()
         return surface(scene.mapper)
@@ -300,8 +300,12 @@ def test_copies_of_thinned_points_change_nothing(kind):
 
     scene = make_scene()
     first = draw(scene, 0)
-    assert 0 < scene.mapper.GetLastFramePointsDrawn() < 60_000, "thinned"
-    others = [draw(scene, angle) for angle in (0.1, 0.2, 0.3, 0.4)]  # as many views as are kept
+    drawn = scene.mapper.GetLastFramePointsDrawn()
+    assert 0 < drawn < 60_000, "thinned"
+    ids = first["PointIds"][first["PointIds"] >= 0]
+    assert not np.any((ids >= ends[1]) & (ids < ends[2])), "a hidden block's point"
+    others = [draw(scene, angle, 10) for angle in (0.1, 0.2, 0.3, 0.4)]  # as many views as are kept
+    assert scene.mapper.GetLastFramePointsDrawn() < drawn
     assert_same(draw(scene, 0), first)
     assert scene.mapper.GetLastFrameReconstructions() == 1
     assert not np.array_equal(others[0]["Depth"], first["Depth"])
