@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -51,6 +52,8 @@ constexpr double LargestShareAtBorder = 0.7;
 constexpr double LargestGap = 0.75;
 /// No fewer neighbours of a point at a border are left than these.
 constexpr size_t LeastNumberAtBorders = 16;
+/// What points are off a line by rounding is less than so many steps of their coordinates.
+constexpr double StepsOfRounding = 4.0;
 
 Vector GetPoint(vtkPointSet* cloud, vtkIdType id)
 {
@@ -67,6 +70,19 @@ Vector Subtract(const Vector& a, const Vector& b)
 double Dot(const Vector& a, const Vector& b)
 {
   return vtkMath::Dot(a.data(), b.data());
+}
+
+/// What the largest coordinate may be off in the points' own precision, which `cloud` is a copy of.
+double GetRounding(vtkPoints* points, vtkPolyData* cloud)
+{
+  double largest = 0.0;
+  for (int i = 0; i < 6; ++i)
+  {
+    largest = std::max(largest, std::abs(cloud->GetBounds()[i]));
+  }
+  const bool single = points->GetDataType() == VTK_FLOAT;
+  return StepsOfRounding * largest *
+    (single ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon());
 }
 
 vtkSmartPointer<vtkFloatArray> AddFloats(
@@ -140,6 +156,7 @@ private:
   std::vector<vtkIdType> InputIds; // of the distinct points
   vtkNew<vtkPolyData> Cloud;       // what splats are fitted to
   vtkNew<vtkFloatArray> Normals;   // of the cloud
+  double Rounding = 0.0;           // of the cloud's coordinates
   vtkNew<vtkStaticPointLocator> Locator;
   mutable vtkSMPThreadLocal<vtkMovingLeastSquares> Fitters;
   mutable vtkSMPThreadLocalObject<vtkIdList> Lists;
@@ -160,6 +177,7 @@ bool vtkAlgebraicSplats::Worker::Prepare()
     }
   }
   this->Cloud->ShallowCopy(this->Distinct.GetCloud());
+  this->Rounding = GetRounding(this->Input->GetPoints(), this->Cloud);
 
   vtkSmartPointer<vtkDataArray> normals = this->Input->GetPointData()->GetNormals();
   const bool given = normals != nullptr;
@@ -218,6 +236,7 @@ vtkAlgebraicSplat vtkAlgebraicSplats::Worker::FitAt(
   fitter.Order = this->Filter->Order;
   fitter.Tolerance = this->Filter->Tolerance;
   fitter.ExtrapolationLimit = this->Filter->ExtrapolationLimit;
+  fitter.Rounding = this->Rounding;
   if (featureSize > 0.0)
   {
     this->Locator->FindPointsWithinRadius(SupportOfFixedCount * featureSize, center.data(), ids);

@@ -30,7 +30,9 @@
  * Normals of the input tell the two sides of thin parts apart (see RejectOppositeNormals); where
  * there are none they are estimated (vtkPointNormals). Points at the same position count once.
  * Points that are not finite are left out, with a warning. Where the neighbours do not determine a
- * polynomial of the order wanted, a lower one is taken, with one warning that tells how often.
+ * polynomial of the order wanted, a lower one is taken, with one warning that tells how often. What
+ * they differ by in the rounding of their coordinates, or by a millionth of the disc's radius,
+ * determines nothing: the disc of points on a line lies in some plane through it.
  *
  * The filter is threaded by vtkSMPTools; its output is the same for any backend and number of
  * threads. It reports progress and can be aborted; the output then has no points.

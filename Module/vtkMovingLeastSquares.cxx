@@ -14,7 +14,9 @@ using Eigen::Vector3d;
 
 constexpr int MaximumPlaneIterations = 30;
 constexpr double PlaneTolerance = 1e-10; // of the change of a unit normal
-constexpr double RankThreshold = 1e-7;   // of pivots, for columns of size 1
+/// Of pivots, for columns of size 1. The plane is that of least squares, which in double precision
+/// do not tell lesser deviations from a line.
+constexpr double LeastRankThreshold = 1e-6;
 
 Vector3d ToEigen(const vtkMovingLeastSquares::Vector& v)
 {
@@ -188,6 +190,7 @@ void vtkMovingLeastSquares::FitPolynomial(vtkAlgebraicSplat& splat) const
     SetTerms(terms.row(row), this->Order, u, v, root);
   }
 
+  const double threshold = std::max(LeastRankThreshold, this->Rounding / splat.Radius);
   splat.RankDeficient = true;
   for (int order = this->Tolerance > 0.0 ? 1 : this->Order; order <= this->Order; ++order)
   {
@@ -200,12 +203,12 @@ void vtkMovingLeastSquares::FitPolynomial(vtkAlgebraicSplat& splat) const
         continue;
       }
       const Eigen::VectorXd sizes = terms.leftCols(count).colwise().norm();
-      if (!(sizes.minCoeff() > 0.0))
+      if (!(sizes.minCoeff() > threshold * sizes[0]))
       {
         continue;
       }
       Decomposition qr;
-      qr.setThreshold(RankThreshold);
+      qr.setThreshold(threshold);
       qr.compute(terms.leftCols(count) * sizes.cwiseInverse().asDiagonal());
       if (qr.rank() < count)
       {

@@ -29,6 +29,7 @@ public:
   double Tolerance = 0.0;          ///< over 0: the lowest order whose residual is not above it
   double ExtrapolationLimit = 0.0; ///< see vtkAlgebraicSplats; 0: none
   double LimitedShare = 1.0;       ///< of the disc's radius, up to which that limit holds
+  double Rounding = 0.0;           ///< of the neighbours' coordinates, which determines nothing
 
   /**
    * What is fitted, relative to the point; the neighbours of one point.

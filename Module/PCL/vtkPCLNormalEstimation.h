@@ -5,7 +5,8 @@
  *
  * pcl::NormalEstimationOMP in a pipeline. What it adds to a point set, which side normals point to,
  * and what becomes of points without a surface is told by vtkPCLSurfaceEstimation. The side suits
- * what one sensor saw; for a closed surface take vtkPointNormals.
+ * what one sensor saw; for a closed surface take vtkPointNormals, and also for points on lines, to
+ * which PCL gives any normal, or a zero one.
  *
  * @sa
  * vtkPointNormals vtkPCLMovingLeastSquares

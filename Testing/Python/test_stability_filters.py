@@ -320,6 +320,32 @@ def test_points_on_a_line(name, line):
         assert_within({"off": 1e-6, "angle": 0.01}, off=offset, angle=np.degrees(np.arcsin(slant)))
 
 
+def off_by(size, line):
+    """A line's points moved by so much, at random."""
+    return line + np.random.default_rng(5).uniform(-size, size, line.shape)
+
+
+ALONG_AXIS = np.outer(np.linspace(-1, 1, 300), [1, 0, 0])
+ROUNDED_LINES = {
+    "single precision": np.float32(ON_LINE),
+    "beside the origin": np.float32(ON_LINE + [3, -6, 9]),
+    "along an axis, single precision": np.float32(off_by(1e-7, ALONG_AXIS + [0, 3, 7])),
+    "double precision": off_by(1e-16, ON_LINE),
+    "along an axis, double precision": off_by(1e-16, ALONG_AXIS),
+    "noise": off_by(1e-8, ON_LINE),
+}
+
+
+@pytest.mark.parametrize("order", (1, 2, 3, 4))
+@pytest.mark.parametrize("line", ROUNDED_LINES)
+def test_splats_of_lines_are_level(order, line):
+    """Neither rounding nor noise as small determines a slope across a line: discs lie in the plane that they are over."""
+    points = ROUNDED_LINES[line]
+    splats = output_of(vtkAlgebraicSplats(), make_cloud(points, kind=points.dtype), Order=order)
+    assert (numpy_of(splats, "SplatOrder") == 1).all()
+    assert_within({"slope": 1e-9}, slope=numpy_of(splats, "SplatCoefficients")[:, 1:3])
+
+
 POINT = np.array([0.1, 0.2, 0.3])
 FEW = {
     "one": POINT[None],
