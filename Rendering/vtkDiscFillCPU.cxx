@@ -168,21 +168,26 @@ private:
       eye[0] -= o.Shear * eye[1];
     }
 
-    // the disc seen along the ray, across the view
+    // The disc seen along the ray, across the view; in heights of a pixel, as single precision does
+    // not hold fourth powers of any length.
     const float normal[3] = { get(vtkSurfaceImage::NormalX), get(vtkSurfaceImage::NormalY),
       get(vtkSurfaceImage::NormalZ) };
-    const float radius = vtkDiscFillOptions::RadiusShare * get(vtkSurfaceImage::Radius);
+    const float heights = 1.0f / pixelSize[1];
+    const float radius = heights * vtkDiscFillOptions::RadiusShare * get(vtkSurfaceImage::Radius);
     const float across[2] = { normal[0] + direction[0] * normal[2],
       normal[1] + direction[1] * normal[2] };
     float moment[2];
+    float away[2];
     for (int k = 0; k < 2; ++k)
     {
+      const float size = heights * pixelSize[k];
+      away[k] = heights * offset[k];
       moment[k] = radius * radius * (1.0f + direction[k] * direction[k] - across[k] * across[k]) +
-        vtkDiscFillOptions::LowPassVariance * pixelSize[k] * pixelSize[k];
+        vtkDiscFillOptions::LowPassVariance * size * size;
     }
     const float mixed = radius * radius * (direction[0] * direction[1] - across[0] * across[1]);
-    const float q = (moment[1] * offset[0] * offset[0] - 2.0f * mixed * offset[0] * offset[1] +
-                      moment[0] * offset[1] * offset[1]) /
+    const float q = (moment[1] * away[0] * away[0] - 2.0f * mixed * away[0] * away[1] +
+                      moment[0] * away[1] * away[1]) /
       (moment[0] * moment[1] - mixed * mixed);
     if (o.NumberOfClippingPlanes == 0 || !(q <= 1.0f))
     {

@@ -47,16 +47,20 @@ float getDistance(ivec2 pixel, ivec2 place)
   vec2 pixelSize = eyeRayStep.zw + interval.x * eyeRayStep.xy;
   vec2 offset = unshear((vec2(pixel) + 0.5 - center) * pixelSize);
 
-  // the disc seen along the ray, across the view
-  float radius = radiusShare * shape.w;
+  // The disc seen along the ray, across the view; in heights of a pixel, as single precision does not
+  // hold fourth powers of any length.
+  float heights = 1.0 / pixelSize.y;
+  float radius = heights * radiusShare * shape.w;
+  vec2 size = heights * pixelSize;
+  vec2 away = heights * offset;
   vec2 normal = shape.xy + direction * shape.z;
   vec3 moment = radius * radius *
     vec3(1.0 + direction.x * direction.x - normal.x * normal.x,
       1.0 + direction.y * direction.y - normal.y * normal.y,
       direction.x * direction.y - normal.x * normal.y);
-  moment.xy += lowPassVariance * pixelSize * pixelSize;
-  float q = (moment.y * offset.x * offset.x - 2.0 * moment.z * offset.x * offset.y +
-    moment.x * offset.y * offset.y) / (moment.x * moment.y - moment.z * moment.z);
+  moment.xy += lowPassVariance * size * size;
+  float q = (moment.y * away.x * away.x - 2.0 * moment.z * away.x * away.y +
+    moment.x * away.y * away.y) / (moment.x * moment.y - moment.z * moment.z);
 
   if (numberOfClippingPlanes > 0 && q <= 1.0)
   {
