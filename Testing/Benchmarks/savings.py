@@ -7,7 +7,7 @@
 Most savings have no switch, and none gets one here: the side without one draws the same picture from an input that
 keeps the mapper from saving, as the column "without" says. Each side is a process of its own: the median of some frames
 after warm-up, with the camera moving; see frames.py. PYTHONPATH must lead to the package pointsurface; the model is that
-of frames.py. Two to three minutes.
+of frames.py. Some four minutes.
 """
 
 import os
