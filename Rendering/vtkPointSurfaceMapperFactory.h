@@ -11,10 +11,11 @@
  *    points it is at the first frame before normals are estimated, with a smaller error than with
  *    these (direct.md).
  * 3. Points with normals, where the surface is made by the processor (see BackendType of
- *    vtkPointSurfaceMapper): vtkSurfaceSplatMapper. Its error is the least at every density that
- *    was measured, for a fifth more time than vtkPullPushMapper's with few points a pixel, and less
- *    with many (RESULTS.md).
- * 4. Where it is made by OpenGL: vtkPullPushMapper, since splats overlap many times.
+ *    vtkPointSurfaceMapper): vtkSurfaceSplatMapper. Its error is the least in most scenes, or
+ *    within some tenths of a dB of vtkPullPushMapper's, for a fifth more time than that one's with
+ *    few points a pixel, and less with many (RESULTS.md).
+ * 4. Where it is made by OpenGL: vtkPullPushMapper, since splats overlap many times. With few
+ *    points a pixel they take some four times as long.
  *
  * Densities that vary: where an array "radius" says that the largest is over 10 times (rule 2) or
  * over 50 times (rule 3) the smallest, a thousandth of the points at either end left out, it is
