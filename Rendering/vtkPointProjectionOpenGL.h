@@ -6,7 +6,10 @@
  * Each point that survives culling, clipping and the depth test writes its normal, radius and
  * depth interval (and id and colour, where the target has these layers) to the one pixel that it
  * falls on (Marroquim, Kraus, Cavalcanti 2007, section 3.1). If the points of a pixel are to be
- * averaged, they are drawn a second time and added up by blending.
+ * averaged, they are drawn a second time and added up by blending. The attributes are written here,
+ * not fetched by id later for the pixels that are seen: averaging needs those of all points of a
+ * pixel, and to write ids alone and fetch saves, at 512 x 512 on a software rasteriser, nothing
+ * with 100,000 points and a sixth of the pass with two million.
  */
 #ifndef vtkPointProjectionOpenGL_h
 #define vtkPointProjectionOpenGL_h

@@ -6,8 +6,9 @@
  * Builds the coarser levels of an image pyramid from the projected points (pull), then fills the
  * invalid and occluded pixels of each level from the coarser one (push) (Marroquim, Kraus,
  * Cavalcanti 2007, sections 3.2 and 3.3). The paper keeps both phases in two buffers and copies
- * between them; here each phase writes a pyramid of its own, so that no pixel is copied and no
- * texture is read while it is written.
+ * between them; here each phase writes a pyramid of its own, so that no pixel is copied. Each level
+ * is a texture of its own, not a level of one chain: no texture is then read while it is written,
+ * for which OpenGL 3.2 has no barrier, and sizes are halved upwards, where a chain's are downwards.
  */
 #ifndef vtkPullPushReconstructionOpenGL_h
 #define vtkPullPushReconstructionOpenGL_h
