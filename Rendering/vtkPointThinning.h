@@ -6,7 +6,10 @@
  * One is chosen at random from each such group, so that no pattern in the order of the points (rows
  * of a grid, scan lines) comes through; where the order is one of space the rest is spread evenly.
  * What is chosen at a level is chosen at all levels below it, so that points only come or go while
- * a camera moves.
+ * a camera moves. What is drawn has to be gathered for it. An order of which the first points of
+ * each chunk are such a sample would do without, but is slower: all points, whose order is no
+ * longer that of space within chunks, and also some of them, as those of a chunk alone follow each
+ * other; the errors are the same.
  */
 #ifndef vtkPointThinning_h
 #define vtkPointThinning_h

@@ -143,7 +143,7 @@ public:
   /**
    * Where projected radii are so small that pixels cannot tell the points apart, draw one of 2,
    * 4, 8, ... points that follow each other, chosen at random, with a radius that is larger to
-   * match: up to 0.85 pixels; in the paper all points are drawn. A part of a cloud
+   * match: up to 0.9 pixels; in the paper all points are drawn. A part of a cloud
    * (vtkGhostPointsGenerator) is not thinned: other processes would choose other points. Default
    * on.
    */
