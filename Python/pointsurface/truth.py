@@ -5,7 +5,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTriangleFilter
-from vtkmodules.vtkRenderingCore import vtkActor, vtkCamera, vtkPolyDataMapper, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkActor, vtkCamera, vtkPolyDataMapper, vtkProperty, vtkRenderer
 from vtkmodules.vtkRenderingOpenGL2 import vtkCameraPass, vtkRenderPassCollection, vtkSequencePass, vtkValuePass
 
 from .metrics import SurfaceImage
@@ -24,6 +24,29 @@ def render_truth(mesh, renderer, surface_property, size, supersampling=4):
     centres. Normals are oriented as the mesh's, also where its back is seen.
     Raises ValueError for a mesh without polygons or without normals.
     """
+    surface = _triangles_of(mesh)
+    scene = _SceneOfOneSurface(surface, renderer, surface_property, size)
+    color = box_average(read_color(scene.window, supersampling), supersampling)
+    normals, depth = _normals_and_depth(scene, surface)
+    return SurfaceImage(color, normals, depth)
+
+
+def sample_depth(mesh, renderer, size, samples=4):
+    """The depth of a mesh, as `renderer` sees it, at samples x samples places of each pixel, evenly apart.
+
+    mesh, size: as in render_truth.
+    Returns an array of (height, width, samples, samples), from the lowest row of a pixel and its left: the distance from
+    the eye along the view direction, 0 where there is no surface.
+    Raises ValueError as render_truth does.
+    """
+    surface = _triangles_of(mesh)
+    width, height = size
+    scene = _SceneOfOneSurface(surface, renderer, vtkProperty(), (width * samples, height * samples))
+    _, depth = _normals_and_depth(scene, surface)
+    return depth.reshape(height, samples, width, samples).swapaxes(1, 2)
+
+
+def _triangles_of(mesh):
     triangles = vtkTriangleFilter()
     triangles.PassVertsOff()
     triangles.PassLinesOff()
@@ -34,11 +57,7 @@ def render_truth(mesh, renderer, surface_property, size, supersampling=4):
         raise ValueError("the mesh of the true surface has no polygons")
     if surface.GetPointData().GetNormals() is None:
         raise ValueError("the mesh of the true surface has no point normals")
-
-    scene = _SceneOfOneSurface(surface, renderer, surface_property, size)
-    color = box_average(read_color(scene.window, supersampling), supersampling)
-    normals, depth = _normals_and_depth(scene, surface)
-    return SurfaceImage(color, normals, depth)
+    return surface
 
 
 def mend_normals(mesh):

@@ -65,6 +65,59 @@ def test_inner_outlines_are_pixels_in_front_of_a_step(errors):
     assert errors.inner_outlines(truth, 101) == 0  # 1% of which is more than the step
 
 
+def test_wrong_depth_is_split(errors):
+    """Of ten pixels two are too near, one of them as one of its samples is, one too far, one barely off, one empty."""
+    truth = errors.SurfaceImage(None, None, np.full((2, 5), 10.0))
+    image = errors.SurfaceImage(None, None, truth.depth.copy())
+    image.depth.flat[:5] = 9, 9, 12, 10.005, 0
+    samples = np.full((2, 5, 4, 4), 10.0)
+    samples[0, 1, 2, 3] = 9.005
+    split = errors.split_wrong_depth(image, truth, samples, diagonal=1)
+    assert split == {"too_near": 2 / 9, "too_far": 1 / 9, "no_sample": 2 / 9}
+
+
+def test_truth_beside_itself(errors):
+    """A step that the displaced truth passes in one column of pixels, and none that it passes along the columns."""
+    samples = np.full((6, 8, 4, 4), 10.0)
+    samples[:, 3, :, 2:] = 11  # from the middle of the pixels of this column on
+    samples[:, 4:] = 11
+    assert errors.shift_truth(samples, diagonal=1) == [1 / 8, 0]
+    assert errors.shift_truth(samples.transpose(1, 0, 3, 2), diagonal=1) == [0, 1 / 8]
+    assert errors.shift_truth(samples, diagonal=200) == [0, 0]
+
+
+def make_rows(errors, model, view, **changes):
+    """Rows of every kind, all alike but for the changes, which are by kind."""
+    kinds = (errors.PUBLISHED, errors.CULLED, errors.DEFAULT, errors.SUPERSAMPLED, errors.GAUSSIAN, errors.SPLATS)
+    same = dict.fromkeys(errors.COLUMNS, 0.5)
+    same |= dict(psnr=30, too_near=0.3, too_far=0.2, no_sample=0.1, shifted=(0.02, 0.03), inner_outlines=0)
+    return [errors.Row(model, view, kind, kind, {**same, **changes.get(kind, {})}) for kind in kinds]
+
+
+def test_summary_tells_reasons(errors):
+    noise = {view: dict.fromkeys(errors.COLUMNS, 0.1) for view in errors.VIEWS}
+    changes = {errors.DEFAULT: {"psnr": 36, "normal_mean": 0.9, "depth": 0.9}, errors.CULLED: {"depth": 0.9}}
+    rows = make_rows(errors, "torus", "zoomed", **changes)
+    summary = errors.format_summary(rows, noise, "horse")
+    assert (
+        "default (published): torus, zoomed: normals, mean, degrees 0.90 (0.50, with culling 0.50) "
+        "(backface culling, which is published, is off by default). torus, zoomed: depth"
+    ) in summary
+    assert "default, culling (published): torus, zoomed: depth, % of diagonal 90.0000 (50.0000) (not explained)." in summary
+    assert "Default against EWA splats, mean lead over 1 views (minus: behind): PSNR, dB +6.00, behind in 0;" in summary
+    assert "normals, mean, degrees -0.40, behind in 1;" in summary
+    assert "30.000 too near, 20.000 too far, 10.000 where no sample agrees) (points at random leave" in summary
+    assert "of one model, horse, and used for all of them" in summary
+    table = errors.format_wrong_depth(rows + make_rows(errors, "horse", "zoomed"))
+    assert table.count("\n| torus |") == 6
+    assert "| torus | default | 50.000 | 30.000 | 20.000 | 10.000 | 2.000 | 3.000 |" in table
+
+
+def test_head_tells_radii(errors, torus):
+    """Points at random have the radius that the protocol says, of a mean spacing that nothing but the area tells."""
+    assert errors.measure_radius(torus) == pytest.approx(errors.RADIUS, rel=1e-3)
+
+
 def test_report(errors):
     name = "bunny" if errors.read_mesh("bunny") is not None else "torus"
     report = errors.make_report([name], ["whole"])

@@ -10,7 +10,7 @@ from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkLight, vtkProperty, vtkRenderer
 
 import pointsurface  # noqa: F401  makes a window without a display
-from pointsurface.truth import render_truth
+from pointsurface.truth import render_truth, sample_depth
 
 SIZE = (96, 64)
 CENTER = np.array([3.0, -2.0, 1.0])
@@ -41,9 +41,9 @@ def renderer_with_camera(parallel):
     return renderer
 
 
-def analytic_sphere(camera):
+def analytic_sphere(camera, size=SIZE):
     """Eye-space normals, depth, and the cosine between normal and ray at the pixels' centres; 0 outside of the sphere."""
-    width, height = SIZE
+    width, height = size
     view = np.array([[camera.GetViewTransformMatrix().GetElement(i, j) for j in range(4)] for i in range(4)])
     center = view[:3, :3] @ CENTER + view[:3, 3]
     x = ((np.arange(width) + 0.5) / width * 2 - 1) * width / height
@@ -83,6 +83,18 @@ def test_sphere(parallel):
     # The facets are up to 1.2e-4 below the sphere, times 1 / 0.2 where it is seen at an angle.
     assert np.abs(truth.depth - depth)[inner].max() < 7e-4
     assert np.abs(truth.normals - normals)[inner].max() < 2e-3
+
+
+def test_samples_of_depth():
+    renderer = renderer_with_camera(parallel=False)
+    samples = sample_depth(fine_sphere(), renderer, SIZE, 4)
+    assert samples.shape == (SIZE[1], SIZE[0], 4, 4)
+    _, depth, cosine = analytic_sphere(renderer.GetActiveCamera(), (4 * SIZE[0], 4 * SIZE[1]))
+    for up, aside in np.ndindex(4, 4):
+        inner = cosine[up::4, aside::4] > 0.2
+        assert np.count_nonzero(inner) > 700
+        assert np.abs(samples[..., up, aside] - depth[up::4, aside::4])[inner].max() < 7e-4
+    assert np.all(samples[0, 0] == 0)
 
 
 def test_color_is_lit_and_supersampled():
