@@ -1428,7 +1428,44 @@ void vtkPointSurfaceMapper::ReplaceShaderValues(
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
   text = fragment->GetSource();
   vtkSurfaceBufferShading::Finish(text);
+  if (IsSoftwareRasterizer())
+  {
+    GLint components = 0;
+    glGetIntegerv(GL_MAX_VARYING_COMPONENTS, &components);
+    std::string vertexText = shaders[vtkShader::Vertex]->GetSource();
+    vtkSurfaceBufferShading::HandOnUniforms(vertexText, text, components / 4 - 1); // psRay is one
+    shaders[vtkShader::Vertex]->SetSource(vertexText);
+  }
   fragment->SetSource(text);
+}
+
+namespace
+{
+/// What vtkSurfaceBufferVS.glsl finds each pixel's ray with.
+std::array<std::array<float, 4>, 3> GetRays(const vtkPointSurfaceView& view)
+{
+  const auto& m = view.VCDC;
+  std::array<std::array<float, 4>, 3> rays{};
+  for (int k = 0; k < 2; ++k)
+  {
+    const double* column = &m[k == 0 ? 12 : 8]; // of 1, and of z
+    // of what the viewport is of the surface buffer
+    double step[2];
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const double pixels = view.Size[axis] / view.Supersampling;
+      step[axis] = column[3] * (1.0 - 2.0 * view.Rim / pixels);
+    }
+    const double y = -column[1] / m[5];
+    const double up = step[1] / m[5];
+    rays[0][2 * k] = static_cast<float>((-column[0] - m[4] * y) / m[0]);
+    rays[0][2 * k + 1] = static_cast<float>(y);
+    rays[1][2 * k] = static_cast<float>(step[0] / m[0]);
+    rays[2][2 * k] = static_cast<float>(-m[4] * up / m[0]);
+    rays[2][2 * k + 1] = static_cast<float>(up);
+  }
+  return rays;
+}
 }
 
 void vtkPointSurfaceMapper::SetMapperShaderParameters(
@@ -1441,6 +1478,11 @@ void vtkPointSurfaceMapper::SetMapperShaderParameters(
   const int origin[2] = { this->Internals->ViewportOrigin[0] - view.Rim,
     this->Internals->ViewportOrigin[1] - view.Rim };
   program->SetUniform2i("psOrigin", origin);
+  const float texel[2] = { static_cast<float>(view.Supersampling) / view.Size[0],
+    static_cast<float>(view.Supersampling) / view.Size[1] };
+  program->SetUniform2f("psTexel", texel);
+  const auto rays = GetRays(view);
+  program->SetUniform4fv("psRays", 3, reinterpret_cast<const float(*)[4]>(rays.data()));
   if (program->IsUniformUsed("psPoints"))
   {
     program->SetUniform2i("psPoints", this->Internals->PointRange);

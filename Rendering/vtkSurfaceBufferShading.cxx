@@ -16,12 +16,13 @@ bool Contains(const std::string& text, const std::string& part)
   return text.find(part) != std::string::npos;
 }
 
-/// Drops the qualifiers of each "in type name;": the varying becomes a global that we set.
+/// Drops the qualifiers of each "in type name;" but of our own: the varying becomes a global that
+/// we set.
 std::string VaryingsToGlobals(const std::string& text)
 {
   static const std::regex varying(
     "(^|[;\\n])([ \\t]*)(?:(?:flat|smooth|noperspective|centroid)[ \\t]+)*in[ \\t]+"
-    "(\\w+[ \\t]+\\w+(?:\\[\\d+\\])?[ \\t]*;)");
+    "(\\w+[ \\t]+(?!ps)\\w+(?:\\[\\d+\\])?[ \\t]*;)");
   // twice, since two on one line share the ';' between them
   return std::regex_replace(std::regex_replace(text, varying, "$1$2$3"), varying, "$1$2$3");
 }
@@ -84,6 +85,42 @@ void vtkSurfaceBufferShading::Finish(std::string& fragmentShader)
     "float clipDistancesVSOutput[6];\nuniform vec4 clipPlanes[6];");
   vtkShaderProgram::Substitute(
     fragmentShader, Marker, vtkSurfaceBufferImpl + GetAssignments(fragmentShader));
+}
+
+void vtkSurfaceBufferShading::HandOnUniforms(
+  std::string& vertexShader, std::string& fragmentShader, int vectors)
+{
+  static const std::regex uniform(
+    "uniform[ \\t]+(float|int|vec[234]|ivec2|mat([34]))[ \\t]+(\\w+)[ \\t]*;");
+  std::string text;
+  std::string declarations;
+  std::string assignments;
+  std::smatch match;
+  std::string rest = fragmentShader;
+  while (std::regex_search(rest, match, uniform))
+  {
+    const std::string type = match[1];
+    const std::string name = match[3];
+    const std::string handed = "psFlat_" + name;
+    const int taken = match[2].matched ? std::stoi(match[2]) : 1;
+    const std::string after = match.suffix();
+    text += match.prefix();
+    if (taken <= vectors && std::regex_search(after, std::regex("\\b" + name + "\\b")))
+    {
+      vectors -= taken;
+      declarations += match.str() + "\nflat out " + type + " " + handed + ";\n";
+      assignments += "  " + handed + " = " + name + ";\n";
+      text += "flat in " + type + " " + handed + ";\n#define " + name + " " + handed + "\n";
+    }
+    else
+    {
+      text += match.str();
+    }
+    rest = after;
+  }
+  fragmentShader = text + rest;
+  vtkShaderProgram::Substitute(vertexShader, "//PointSurface::Uniforms::Dec", declarations);
+  vtkShaderProgram::Substitute(vertexShader, "//PointSurface::Uniforms::Impl", assignments);
 }
 
 void vtkSurfaceBufferShading::CallFromMain(std::string& fragmentShader, const std::string& main)

@@ -33,6 +33,13 @@ void Prepare(
 void Finish(std::string& fragmentShader);
 
 /**
+ * Lets the vertex shader hand the fragment shader's uniforms on to it, as flat varyings that take
+ * so many vectors at most: software looks a uniform up at every pixel anew, a flat varying hardly
+ * ever.
+ */
+void HandOnUniforms(std::string& vertexShader, std::string& fragmentShader, int vectors);
+
+/**
  * Turns the finished main() into a function psShade(), which sets psGone where it would discard the
  * fragment, and adds `main`, which calls it.
  */

@@ -52,6 +52,8 @@ void vtkSurfaceTarget::Allocate(vtkOpenGLRenderWindow* window, int width, int he
     texture->SetContext(window);
     texture->SetMinificationFilter(vtkTextureObject::Nearest);
     texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+    texture->SetWrapS(vtkTextureObject::ClampToEdge);
+    texture->SetWrapT(vtkTextureObject::ClampToEdge);
     if (IsInteger(layer))
     {
       texture->SetInternalFormat(GL_R32UI);

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-  ivec2 psPixel = ivec2(gl_FragCoord.xy) - psOrigin + psOffset;
-  vec4 psGeometry = texelFetch(psSurface, psPixel, 0);
+  vec2 psPlace = gl_FragCoord.xy - vec2(psOrigin - psOffset);
+  vec4 psGeometry = psFetch(psSurface, psPlace);
   psPoint = psGeometry.w > 0.0 ? 0 : -1;
 #ifdef HAS_ID
-  psPoint = int(texelFetch(psId, psPixel, 0).r) - 1;
+  psPoint = int(texelFetch(psId, ivec2(psPlace), 0).r) - 1;
   psPoint = psPoint >= psPoints.x && psPoint < psPoints.y ? psPoint - psPoints.x : -1;
 #endif
-  psCoverage = psHasCoverage ? length(psGeometry.xyz) : 1.0;
+  psCoverage = psHasCoverage != 0 ? length(psGeometry.xyz) : 1.0;
   vec4 psColorOrTCoord = vec4(1.0);
 #ifdef HAS_COLOR
-  psColorOrTCoord = texelFetch(psColor, psPixel, 0);
+  psColorOrTCoord = psFetch(psColor, psPlace);
 #endif
   // the position in eye coordinates, from the pixel and its eye depth
-  vec2 psNDC = 2.0 * (gl_FragCoord.xy - vec2(psOrigin - psOffset)) / vec2(textureSize(psSurface, 0)) - 1.0;
   vec4 psEye = vec4(0.0, 0.0, -psGeometry.w, 1.0);
   float psW = psVCDC[2][3] * psEye.z + psVCDC[3][3];
-  psEye.y = (psNDC.y * psW - psVCDC[2].y * psEye.z - psVCDC[3].y) / psVCDC[1].y;
-  psEye.x = (psNDC.x * psW - psVCDC[1].x * psEye.y - psVCDC[2].x * psEye.z - psVCDC[3].x) / psVCDC[0].x;
+  vec2 psStep = 2.0 * vec2(psOffset) * psTexel * psW;
+  psStep.y /= psVCDC[1].y;
+  psStep.x = (psStep.x - psVCDC[1].x * psStep.y) / psVCDC[0].x;
+  psEye.xy = psRay.xy + psEye.z * psRay.zw + psStep;
   psVertexVC = psEyeToView * psEye;
   psFragCoordZ = psPoint < 0 ? 1.0 : 0.5 * (psVCDC * psEye).z / psW + 0.5;
   psFragCoordW = 1.0 / psW;
@@ -37,7 +38,7 @@
   vec3 psToViewer = psVCDC[2][3] == 0.0 ? vec3(0.0, 0.0, 1.0) : -normalize(psEye.xyz);
   float psFacing = dot(normalize(psGeometry.xyz), psToViewer);
   psFrontFacing = psFacing >= 0.0;
-  if (psFacing < 0.0 && psFacing > -0.3 && psLeansOutward(psPixel, psGeometry))
+  if (psFacing < 0.0 && psFacing > -0.3 && psLeansOutward(psPlace, psGeometry))
   {
     // just past an outline: the front, bent to the side
     psFrontFacing = true;
