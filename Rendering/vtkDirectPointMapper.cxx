@@ -224,8 +224,9 @@ bool vtkDirectPointMapper::ReadImageBuffer(vtkImageData* nearest, vtkImageData* 
     const bool isSecond = buffer == farthest && second;
     vtkSurfaceImage& image = isSecond ? internals.FarthestCPU : internals.NearestCPU;
     vtkSurfaceTarget& target = isSecond ? internals.Farthest : internals.Nearest;
+    const std::vector<std::array<int, 4>> drawn = { view.Rectangle };
     auto readFloats = [&](vtkSurfaceTarget::Layer layer)
-    { return byCPU ? image.ReadFloats(layer) : target.ReadFloats(window, layer, view.Rectangle); };
+    { return byCPU ? image.ReadFloats(layer) : target.ReadFloats(window, layer, drawn); };
     buffer->Initialize();
     buffer->SetDimensions(view.Size[0], view.Size[1], 1);
     AddLayer(buffer, readFloats(vtkSurfaceTarget::Shape), "Valid", 3, 1);
@@ -238,7 +239,7 @@ bool vtkDirectPointMapper::ReadImageBuffer(vtkImageData* nearest, vtkImageData* 
     }
     if (byCPU ? image.HasIds() : target.Has(vtkSurfaceTarget::Id))
     {
-      AddIds(buffer, byCPU ? image.ReadIds() : target.ReadIds(window, view.Rectangle));
+      AddIds(buffer, byCPU ? image.ReadIds() : target.ReadIds(window, drawn));
     }
   }
   vtkNew<vtkDoubleArray> projection;

@@ -725,7 +725,7 @@ size_t vtkDirectReconstructionCPU::UploadSplats(vtkOpenGLRenderWindow* window,
       {
         CopySplat(p, cells[i], layer, &values[4 * i]);
       }
-      bytes += splats.Upload(window, layer, place, values.data());
+      bytes += splats.Upload(window, layer, place, values.data(), place[2] - place[0]);
     }
   }
   return bytes;

@@ -1121,8 +1121,9 @@ void vtkPointSurfaceMapper::MakeBuffer(
       vtkOutlineCoverageCPU::Run(view.Size, samples);
       ++this->LastFramePasses;
     }
-    this->LastFrameSurfaceBytesUploaded += surface.Target.Upload(window, internals.Pixels);
     surface.Bands = internals.Pixels.GetBands();
+    this->LastFrameSurfaceBytesUploaded +=
+      surface.Target.Upload(window, internals.Pixels, internals.Pixels.GetRead(surface.Bands));
     internals.ClockMilliseconds[Reconstruct] =
       1e3 * (vtkTimerLog::GetUniversalTime() - start) - internals.ClockMilliseconds[Project];
     return;
@@ -1589,20 +1590,25 @@ bool vtkPointSurfaceMapper::ReadSurfaceBuffer(vtkImageData* buffer)
   vtkOpenGLRenderWindow* window = internals.Window;
   vtkSurfaceTarget& target = internals.Current->Target;
   const vtkPointSurfaceView& view = internals.Current->View;
-  const auto rectangle = view.GetPixelRectangle();
+  std::vector<std::array<int, 4>> rectangles;
+  for (const auto& band : internals.Current->Bands)
+  {
+    rectangles.push_back({ band[0], band[1], band[2] - band[0], band[3] - band[1] });
+  }
   SetImageExtent(buffer, target.GetWidth(), target.GetHeight(), view.Rim);
-  auto surface = target.ReadFloats(window, vtkSurfaceTarget::Surface, rectangle);
+  auto surface = target.ReadFloats(window, vtkSurfaceTarget::Surface, rectangles);
   const std::vector<float> coverage = SplitCoverage(surface);
   AddLayer(buffer, surface, "Normals", 0, 3);
   AddLayer(buffer, surface, "Depth", 3, 1);
   AddLayer(buffer, coverage, "Coverage", 0, 1);
   if (target.Has(vtkSurfaceTarget::Color))
   {
-    AddLayer(buffer, target.ReadFloats(window, vtkSurfaceTarget::Color, rectangle), "Colors", 0, 4);
+    AddLayer(
+      buffer, target.ReadFloats(window, vtkSurfaceTarget::Color, rectangles), "Colors", 0, 4);
   }
   if (target.Has(vtkSurfaceTarget::Id))
   {
-    AddIds(buffer, target.ReadIds(window, rectangle));
+    AddIds(buffer, target.ReadIds(window, rectangles));
   }
   const int viewport[6] = { 0, target.GetWidth() - 2 * view.Rim - 1, 0,
     target.GetHeight() - 2 * view.Rim - 1, 0, 0 };
@@ -1624,7 +1630,7 @@ bool vtkPointSurfaceMapper::ReadProjection(const vtkPointSurfaceView& view,
   auto readFloats = [&](vtkSurfaceTarget::Layer layer)
   {
     return byCPU ? projectedByCPU.ReadFloats(layer)
-                 : projected.ReadFloats(window, layer, view.Rectangle);
+                 : projected.ReadFloats(window, layer, { view.Rectangle });
   };
   SetImageExtent(buffer, view.Size[0], view.Size[1], view.Rim * view.Supersampling);
   const std::vector<float> shape = readFloats(vtkSurfaceTarget::Shape);
@@ -1640,7 +1646,8 @@ bool vtkPointSurfaceMapper::ReadProjection(const vtkPointSurfaceView& view,
   const vtkSurfaceBuffer* surface = this->Internals->Current;
   if (byCPU ? projectedByCPU.HasIds() : surface && surface->Target.Has(vtkSurfaceTarget::Id))
   {
-    AddIds(buffer, byCPU ? projectedByCPU.ReadIds() : projected.ReadIds(window, view.Rectangle));
+    AddIds(
+      buffer, byCPU ? projectedByCPU.ReadIds() : projected.ReadIds(window, { view.Rectangle }));
   }
   return true;
 }

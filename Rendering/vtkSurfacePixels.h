@@ -63,6 +63,46 @@ struct vtkSurfacePixels
     return bands;
   }
 
+  /**
+   * Rectangles, one above the other, that hold these bands and all pixels about them that shading
+   * may read.
+   */
+  std::vector<std::array<int, 4>> GetRead(const std::vector<std::array<int, 4>>& bands) const
+  {
+    constexpr int Reach = 2; // of psLeansOutward in vtkSurfaceBufferDec.glsl, and more than others'
+    constexpr int LargestHeight = 48;
+    const auto& r = this->Rectangle;
+    std::vector<std::array<int, 4>> rectangles;
+    std::array<int, 4> before{};
+    for (const auto& band : bands)
+    {
+      const std::array<int, 4> grown = { std::max(band[0] - Reach, r[0]),
+        std::max(band[1] - Reach, r[1]), std::min(band[2] + Reach, r[2]),
+        std::min(band[3] + Reach, r[3]) };
+      if (rectangles.empty() || grown[1] >= before[3])
+      {
+        rectangles.push_back(grown);
+      }
+      else
+      {
+        auto& last = rectangles.back();
+        last[0] = std::min(last[0], grown[0]);
+        last[2] = std::max(last[2], grown[2]);
+        if (grown[3] - last[1] <= LargestHeight)
+        {
+          last[3] = grown[3];
+        }
+        else
+        {
+          rectangles.push_back(
+            { std::min(before[0], grown[0]), before[3], std::max(before[2], grown[2]), grown[3] });
+        }
+      }
+      before = grown;
+    }
+    return rectangles;
+  }
+
 private:
   std::array<int, 4> GetBand(int begin, int end) const
   {

@@ -220,31 +220,41 @@ std::string vtkSurfaceTarget::GetOutputDeclarations(const std::vector<Layer>& la
 }
 
 //------------------------------------------------------------------------------
-size_t vtkSurfaceTarget::Upload(vtkOpenGLRenderWindow* window, const vtkSurfacePixels& pixels)
+size_t vtkSurfaceTarget::Upload(vtkOpenGLRenderWindow* window, const vtkSurfacePixels& pixels,
+  const std::vector<std::array<int, 4>>& rectangles)
 {
+  const auto& r = pixels.Rectangle;
+  const size_t width = r[2] - r[0];
   size_t bytes = 0;
   for (Layer layer : this->Layers)
   {
-    const void* values = layer == Id ? static_cast<const void*>(pixels.Id.data())
-      : layer == Color               ? pixels.Color.data()
-                                     : pixels.Surface.data();
-    bytes += this->Upload(window, layer, pixels.Rectangle, values);
+    for (const auto& rectangle : rectangles)
+    {
+      const size_t first = (rectangle[1] - r[1]) * width + rectangle[0] - r[0];
+      const void* values = layer == Id ? static_cast<const void*>(&pixels.Id[first])
+        : layer == Color               ? &pixels.Color[4 * first]
+                                       : &pixels.Surface[4 * first];
+      bytes += this->Upload(window, layer, rectangle, values, static_cast<int>(width));
+    }
   }
   return bytes;
 }
 
 size_t vtkSurfaceTarget::Upload(vtkOpenGLRenderWindow* window, Layer layer,
-  const std::array<int, 4>& rectangle, const void* values)
+  const std::array<int, 4>& rectangle, const void* values, int stride)
 {
   const int width = rectangle[2] - rectangle[0];
   const int height = rectangle[3] - rectangle[1];
   const bool integer = IsInteger(layer);
   vtkTextureObject* texture = this->GetTexture(layer);
-  window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  state->vtkglPixelStorei(GL_UNPACK_ROW_LENGTH, stride);
   texture->Activate();
   glTexSubImage2D(GL_TEXTURE_2D, 0, rectangle[0], rectangle[1], width, height,
     integer ? GL_RED_INTEGER : GL_RGBA, integer ? GL_UNSIGNED_INT : GL_FLOAT, values);
   texture->Deactivate();
+  state->vtkglPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
   return static_cast<size_t>(width) * height * (integer ? sizeof(unsigned int) : 4 * sizeof(float));
 }
 
@@ -273,17 +283,23 @@ void vtkSurfaceTarget::Read(
 }
 
 std::vector<float> vtkSurfaceTarget::ReadFloats(
-  vtkOpenGLRenderWindow* window, Layer layer, const std::array<int, 4>& rectangle)
+  vtkOpenGLRenderWindow* window, Layer layer, const std::vector<std::array<int, 4>>& rectangles)
 {
   std::vector<float> pixels(static_cast<size_t>(this->Width) * this->Height * 4, 0.0f);
-  this->Read(window, layer, rectangle, pixels.data());
+  for (const auto& rectangle : rectangles)
+  {
+    this->Read(window, layer, rectangle, pixels.data());
+  }
   return pixels;
 }
 
 std::vector<unsigned int> vtkSurfaceTarget::ReadIds(
-  vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle)
+  vtkOpenGLRenderWindow* window, const std::vector<std::array<int, 4>>& rectangles)
 {
   std::vector<unsigned int> pixels(static_cast<size_t>(this->Width) * this->Height, 0);
-  this->Read(window, Id, rectangle, pixels.data());
+  for (const auto& rectangle : rectangles)
+  {
+    this->Read(window, Id, rectangle, pixels.data());
+  }
   return pixels;
 }

@@ -103,27 +103,28 @@ public:
   static std::string GetOutputDeclarations(const std::vector<Layer>& layers);
 
   /**
-   * Copies pixels to the layers Surface, and Id and Color where the target has them. Returns how
-   * many bytes that are.
+   * Copies rectangles (x, y, x end, y end) of pixels to the layers Surface, and Id and Color where
+   * the target has them. Returns how many bytes that are.
    */
-  size_t Upload(vtkOpenGLRenderWindow* window, const vtkSurfacePixels& pixels);
+  size_t Upload(vtkOpenGLRenderWindow* window, const vtkSurfacePixels& pixels,
+    const std::vector<std::array<int, 4>>& rectangles);
 
   /**
-   * Copies `rectangle` (x, y, x end, y end) of a layer: four floats or an id a pixel, row by row.
-   * Returns how many bytes that are.
+   * Copies `rectangle` (x, y, x end, y end) of a layer: four floats or an id a pixel, rows of which
+   * are `stride` pixels apart. Returns how many bytes that are.
    */
   size_t Upload(vtkOpenGLRenderWindow* window, Layer layer, const std::array<int, 4>& rectangle,
-    const void* values);
+    const void* values, int stride);
 
   ///@{
   /**
    * Copies a layer to memory, from the lower left pixel on: four floats or one id + 1 a pixel, 0
-   * outside of `rectangle` (x, y, width, height), which the steps leave as it was.
+   * outside of the rectangles (x, y, width, height), where steps leave what was there before.
    */
   std::vector<float> ReadFloats(
-    vtkOpenGLRenderWindow* window, Layer layer, const std::array<int, 4>& rectangle);
+    vtkOpenGLRenderWindow* window, Layer layer, const std::vector<std::array<int, 4>>& rectangles);
   std::vector<unsigned int> ReadIds(
-    vtkOpenGLRenderWindow* window, const std::array<int, 4>& rectangle);
+    vtkOpenGLRenderWindow* window, const std::vector<std::array<int, 4>>& rectangles);
   ///@}
 
 private:

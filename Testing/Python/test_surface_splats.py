@@ -137,6 +137,28 @@ def test_agreement(scene, backend):
     assert all(difference <= TOLERANCE for difference in worst.values())
 
 
+def test_a_frame_shows_nothing_of_earlier_ones():
+    """What is made anew is what is covered, and what shading reads beside it; the rest is of frames long ago."""
+    size, azimuths = (160, 120), range(0, 360, 45)
+
+    def show(frame, azimuth):
+        frame.scene.camera.SetPosition(3, 0, 2)
+        frame.scene.camera.Azimuth(azimuth)
+        frame.scene.renderer.ResetCameraClippingRange()
+        return frame.scene.color()
+
+    one = Frame(spheres(900), size, "CPU", zoom=0.8, colors=True)
+    for azimuth in azimuths:
+        fresh = Frame(spheres(900), size, "CPU", zoom=0.8, colors=True)
+        assert (show(one, azimuth) == show(fresh, azimuth)).all()
+        assert one.mapper.GetLastFrameReconstructions() == 1
+        expected = surface(fresh.mapper)
+        assert all((layer == expected[name]).all() for name, layer in surface(one.mapper).items())
+        covered = (expected["Depth"] > 0).sum()
+        sent = one.mapper.GetLastFrameSurfaceBytesUploaded() / 36  # a pixel
+        assert covered <= sent < 0.8 * np.prod(one.mapper.GetLastFrameRectangle()[2:])
+
+
 BACKEND_SCENES = [
     dict(),
     dict(parallel=True, colors=True),
