@@ -698,12 +698,13 @@ def make_report(models=tuple(MODELS), views=tuple(VIEWS), with_gains=False, pict
 HEAD = f"""# Errors against the true surface
 
 {SIZE[0]} x {SIZE[1]} pixels, {COUNT} points sampled uniformly by area (at random, independent of each other), radius
-{RADIUS} times the mean spacing, normals of the mesh; of the heads the points and radii of vtkIsosurfacePoints{{radii}}.
+{RADIUS} times the mean spacing, normals of the mesh; of the heads the points and radii of
+vtkIsosurfacePoints{{radii}}.
 Truth: the mesh, {TRUTH_SUPERSAMPLING**2} samples a pixel. Views: the whole model, an oblique one, and the first zoomed
 in four times. OpenGL renderer: {{renderer}}.{{missing}}
 
-Of a flat surface of random points {IN_NO_DISC:.3%} lies in no disc. Those of the heads have smaller radii, the filter's,
-with which they are drawn by all who use it: its points are more even. With {RADIUS} times the mean spacing thin bone
+Of a flat surface of random points {IN_NO_DISC:.3%} lies in no disc. The heads' radii are smaller, since the filter's
+points are more even, and are those that its users get. With {RADIUS} times the mean spacing thin bone
 melts, and the CT head, zoomed in, has wrong depth in nearly half as many pixels again.
 
 Published is backface culling on and all departures from the paper off; default is culling off.

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkPullPushMapper: what its departures from the paper promise, by both back ends, beside the true surface."""
 
+import functools
+
 import numpy as np
 import pytest
 from scenes import BACKENDS, Scene, array, polydata, torus, torus_cloud, torus_mesh
@@ -13,9 +15,10 @@ from pointsurface import metrics, truth, vtkPullPushMapper
 SIZE = (300, 300)
 
 
-def draw(data, backend, size=SIZE, **properties):
+def draw(data, backend, size=SIZE, zoom=1, **properties):
     """A scene after one frame, and a metrics.SurfaceImage of what it shows."""
     scene = Scene(vtkPullPushMapper, data, size)
+    scene.camera.Zoom(zoom)
     getattr(scene.mapper, f"SetBackendTo{backend}")()
     for name, value in properties.items():
         getattr(scene.mapper, f"Set{name}")(value)
@@ -50,6 +53,37 @@ def test_outlines_are_trimmed(backend):
     print(f"outlines {shifts[True]:.2f} pixels too far out, {shifts[False]:.2f} where they are not trimmed")
     assert abs(shifts[True]) < 0.3
     assert shifts[False] > shifts[True] + 0.15
+
+
+# Where each departure from the paper helps: its name, the cloud, how far the view is zoomed in, the factor on radii, the
+# measure of the error that tells, and what it is at most with the departure, as a multiple of what it is without.
+DEPARTURES = [
+    ("SubpixelCenters", "even", 20_000, 1, 1, "depth", 0.5),
+    ("PerspectiveDiscs", "even", 20_000, 1, 1, "depth", 0.25),
+    ("PerspectiveDiscs", "even", 20_000, 1, 1, "outline", 0.75),
+    ("DistanceWeights", "even", 20_000, 3, 1, "normal_mean", 0.85),
+    ("UnionRadii", "even", 80_000, 1, 0.4, "depth", 0.75),  # of less than two pixels
+    ("FillPixels", "random", 80_000, 1, 1, "unfilled", 0.25),
+    ("DepthTestInPush", "random", 10_000, 3, 1, "wrong_depth", 0.3),
+]
+
+
+@functools.lru_cache(maxsize=None)
+def make_cloud(kind, count):
+    return {"even": torus_cloud, "random": random_cloud}[kind](count)
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+@pytest.mark.parametrize("name, kind, count, zoom, scale, measure, factor", DEPARTURES)
+def test_each_departure_helps(backend, name, kind, count, zoom, scale, measure, factor):
+    """The error against the torus is larger with one departure off alone: it does something, and for the better."""
+    errors = {}
+    for on in (True, False):
+        scene, image = draw(make_cloud(kind, count), backend, zoom=zoom, RadiusScale=scale, **{name: on})
+        measured = metrics.compare(image, draw_truth(scene), diagonal=3.2)
+        errors[on] = 1 - measured["iou"] if measure == "outline" else measured[measure]
+    print(f"{measure} {errors[True]:.5f}, {errors[False]:.5f} without {name}")
+    assert 0 < errors[True] < factor * errors[False]
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
