@@ -179,7 +179,9 @@ bool vtkOutlineTrimCPU::TrimPixel(const vtkPullPushParameters& parameters,
     const int away = center[axis] > 0.0f ? -1 : 1;
     const int dx = axis == 0 ? away : 0;
     const int dy = axis == 1 ? away : 0;
-    if (!(std::abs(center[axis]) > largest) || neighbor(-dx, -dy) != GoesOn)
+    // of what is no wider than two pixels nothing would be left
+    if (!(std::abs(center[axis]) > largest) || neighbor(-dx, -dy) != GoesOn ||
+      neighbor(-2 * dx, -2 * dy) != GoesOn)
     {
       continue;
     }

@@ -129,10 +129,10 @@ public:
    * Show a point in its own pixel only where its disc covers the pixel's centre, to within a fifth
    * of a pixel, more where projected radii are under 2.5 pixels; and where they are under 1.4
    * pixels, so that several points are averaged in a pixel, only where these do not lie aside of
-   * its centre by more than a quarter of a pixel, with an outline on the other side: else it is
-   * empty, or shows what is behind. In the paper (section 3.3) a point stays in its pixel whatever
-   * part of it the disc covers, so that outlines lie half a pixel outside of the surface's. Default
-   * on.
+   * its centre by more than a quarter of a pixel, with an outline on the other side, and the
+   * surface is three pixels wide or more: else it is empty, or shows what is behind. In the paper
+   * (section 3.3) a point stays in its pixel whatever part of it the disc covers, so that outlines
+   * lie half a pixel outside of the surface's. Default on.
    */
   vtkSetMacro(TrimOutlines, bool);
   vtkGetMacro(TrimOutlines, bool);

@@ -50,7 +50,9 @@ void main()
     float center = interval[2 + axis];
     ivec2 away = ivec2(0);
     away[axis] = center > 0.0 ? -1 : 1;
-    if (!(abs(center) > largest) || getNeighbor(pixel, shape, interval, -away) != GoesOn)
+    // of what is no wider than two pixels nothing would be left
+    if (!(abs(center) > largest) || getNeighbor(pixel, shape, interval, -away) != GoesOn ||
+      getNeighbor(pixel, shape, interval, -2 * away) != GoesOn)
     {
       continue;
     }
