@@ -62,7 +62,7 @@ DEPARTURES = [
     ("PerspectiveDiscs", "even", 20_000, 1, 1, "depth", 0.25),
     ("PerspectiveDiscs", "even", 20_000, 1, 1, "outline", 0.75),
     ("DistanceWeights", "even", 20_000, 3, 1, "normal_mean", 0.85),
-    ("UnionRadii", "even", 80_000, 1, 0.4, "depth", 0.75),  # of less than two pixels
+    ("UnionRadii", "even", 80_000, 1, 0.4, "depth", 0.85),  # of less than two pixels
     ("FillPixels", "random", 80_000, 1, 1, "unfilled", 0.25),
     ("DepthTestInPush", "random", 10_000, 3, 1, "wrong_depth", 0.3),
 ]
