@@ -19,7 +19,7 @@ print("rank", spread.rank, "of", spread.ranks, "has", output.GetNumberOfPoints()
 
 in_batch = vtkProcessModule.GetProcessType() == vtkProcessModule.PROCESS_BATCH
 if not in_batch:
-    simple.Connect("localhost")  # which waits for the server
+    simple.Connect("localhost")
 import scene  # only now, since it loads the plugin into the server
 
 if not in_batch:
