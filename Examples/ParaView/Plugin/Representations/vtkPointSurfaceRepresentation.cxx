@@ -18,9 +18,9 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkLogger.h"
-#include "vtkMaskPoints.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
@@ -28,12 +28,15 @@
 #include "vtkPVRenderView.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <vector>
 
 vtkStandardNewMacro(vtkPointSurfaceRepresentation);
@@ -306,17 +309,51 @@ int GetLevel(vtkInformation* inInfo)
   return view ? static_cast<int>(std::lround(8.0 * (1.0 - view->GetLODResolution()))) : 0;
 }
 
-/// Every 2^level-th point, with steps at random, so that no pattern in their order comes through.
+/// Whether a point is one of those of 2^level that are drawn: by chance, so that no pattern in
+/// their order comes through, but by its place alone, so that ranks agree on it.
+bool IsKept(const double x[3], int level)
+{
+  std::uint64_t hash = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::uint64_t bits;
+    std::memcpy(&bits, &x[axis], sizeof bits);
+    hash = (hash ^ bits) * 0x9e3779b97f4a7c15u; // 2^64 over the golden ratio
+    hash ^= hash >> 29;
+  }
+  return (hash * 0x9e3779b97f4a7c15u) >> (64 - level) == 0;
+}
+
 vtkSmartPointer<vtkPolyData> Thin(vtkPolyData* points, int level)
 {
-  vtkNew<vtkMaskPoints> mask;
-  mask->SetInputData(points);
-  mask->SetOnRatio(1 << level);
-  mask->SetMaximumNumberOfPoints(points->GetNumberOfPoints());
-  mask->RandomModeOn();
-  mask->SetRandomModeType(0);
-  mask->Update();
-  return mask->GetOutput();
+  auto fewer = vtkSmartPointer<vtkPolyData>::New();
+  if (level == 0)
+  {
+    fewer->ShallowCopy(points);
+    return fewer;
+  }
+  vtkNew<vtkIdList> kept;
+  for (vtkIdType id = 0; id < points->GetNumberOfPoints(); ++id)
+  {
+    double x[3];
+    points->GetPoint(id, x);
+    if (IsKept(x, level))
+    {
+      kept->InsertNextId(id);
+    }
+  }
+  vtkNew<vtkPoints> places;
+  if (points->GetPoints())
+  {
+    places->SetDataType(points->GetPoints()->GetDataType());
+    points->GetPoints()->GetPoints(kept, places);
+  }
+  fewer->SetPoints(places);
+  fewer->GetPointData()->CopyAllOn();
+  fewer->GetPointData()->CopyAllocate(points->GetPointData(), kept->GetNumberOfIds());
+  fewer->GetPointData()->CopyData(points->GetPointData(), kept);
+  fewer->GetFieldData()->ShallowCopy(points->GetFieldData());
+  return fewer;
 }
 
 double GetGrowth(int level)
@@ -324,12 +361,16 @@ double GetGrowth(int level)
   return std::sqrt(static_cast<double>(1 << level));
 }
 
-/// The same of radii that are given. Points that are chosen at random leave larger gaps than even
-/// ones, which those radii may just have closed.
+/// Points that are chosen at random leave larger gaps than even ones, which their radii, given or
+/// estimated, may just have closed.
+double GetGapGrowth(int level)
+{
+  return level > 0 ? 1.15 : 1.0;
+}
+
 double GetGivenGrowth(int level)
 {
-  constexpr double Gaps = 1.15;
-  return level > 0 ? Gaps * GetGrowth(level) : 1.0;
+  return GetGapGrowth(level) * GetGrowth(level);
 }
 
 /// Radii that are estimated of fewer points grow by themselves; what vtkGhostPointsGenerator has
@@ -431,8 +472,12 @@ int vtkPointSurfaceRepresentation::ProcessViewRequest(
   {
     data = vtkPVView::GetDeliveredPiece(inInfo, this);
     const int system = this->ChooseSystem(data);
-    const bool grows = system != ALGEBRAIC_SPLATS && this->HasRadii(data, system);
-    this->UpdateMappers(system, grows ? GetGivenGrowth(GetLevel(inInfo)) : 1.0);
+    const int level = GetLevel(inInfo);
+    this->UpdateMappers(system,
+      system == ALGEBRAIC_SPLATS       ? 1.0
+        : this->HasRadii(data, system) ? GetGivenGrowth(level)
+        : system == DIRECT             ? 1.0
+                                       : GetGapGrowth(level));
   }
   // The superclass tells the blocks' attributes only to mappers of VTK's own, and then takes them
   // for told.
