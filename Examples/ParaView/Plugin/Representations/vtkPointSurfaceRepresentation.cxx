@@ -392,18 +392,6 @@ void GrowWhole(vtkPolyData* points, int level)
   points->GetFieldData()->AddArray(whole);
 }
 
-bool HasPoints(vtkDataObject* data)
-{
-  for (vtkDataSet* dataSet : vtkCompositeDataSet::GetDataSets<vtkDataSet>(data))
-  {
-    if (dataSet->GetNumberOfPoints() > 0)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 bool HasArray(vtkDataObject* data, const char* name)
 {
   for (vtkDataSet* dataSet : vtkCompositeDataSet::GetDataSets<vtkDataSet>(data))
@@ -500,7 +488,8 @@ int vtkPointSurfaceRepresentation::ProcessViewRequest(
     // Of those that draw together each may be without points, and a client whose server draws is:
     // nothing that mappers should warn of.
     auto* view = vtkPVRenderView::SafeDownCast(inInfo->Get(vtkPVView::VIEW()));
-    const bool draws = !view || !view->GetUseDistributedRenderingForRender() || HasPoints(data);
+    const bool draws = !view || !view->GetUseDistributedRenderingForRender() ||
+      data->GetNumberOfElements(vtkDataObject::POINT) > 0;
     this->Actor->SetVisibility(draws);
     this->BackfaceActor->SetVisibility(draws && this->BackfaceActor->GetVisibility());
   }
