@@ -27,7 +27,7 @@ def savings():
 
 
 # What tells that a saving was used: less of it than without. Of the others no count is told.
-@pytest.mark.parametrize("name", ("levels", "rectangle", "fills", "frustum"))
+@pytest.mark.parametrize("name", ("levels", "rectangle", "fills", "frustum", "polynomials"))
 def test_a_saving_is_used_on_one_side_alone(savings, name):
     used, unused, gap = savings.compare(name, "CPU", COUNT, SIZE)
     print(name, used["told"], unused["told"], "grey levels", gap)
@@ -36,10 +36,10 @@ def test_a_saving_is_used_on_one_side_alone(savings, name):
 
 
 def test_an_approximation_is_held_beside_the_truth(savings):
-    used, unused, _ = savings.compare("polynomials", "CPU", 5000, SIZE)
+    used, unused, _ = savings.compare("thinning", "CPU", COUNT, SIZE)
     print(used, unused)
     assert used["told"] < unused["told"]
-    assert 20 < used["psnr"] < 60 and abs(used["psnr"] - unused["psnr"]) < savings.MOST_LOSS
+    assert 20 < used["psnr"] < 60 and abs(used["psnr"] - unused["psnr"]) < 1
 
 
 def test_shuffled_points_stay_shuffled(savings):
