@@ -7,9 +7,11 @@
  *
  * 1. Points that are splats of vtkAlgebraicSplats: vtkAlgebraicSplatMapper, which alone traces
  *    them.
- * 2. Points without normals: vtkDirectPointMapper, which needs none. On a noisy scan of a million
- *    points it is at the first frame before normals are estimated, with a smaller error than with
- *    these (direct.md).
+ * 2. Points without normals that are noisy, or more than 200,000: vtkDirectPointMapper, which needs
+ *    none. In noise its normals are better than estimated ones, and it is at the first frame while
+ *    others estimate, seconds earlier where points are many (RESULTS.md, direct.md). Fewer and
+ *    clean points count as ones with normals, which the mapper estimates: that takes up to about a
+ *    second, once, and frames then take less time, with a smaller error.
  * 3. Points with normals, where the surface is made by the processor (see BackendType of
  *    vtkPointSurfaceMapper): vtkSurfaceSplatMapper. Its error is the least in most scenes, or
  *    within some tenths of a dB of vtkPullPushMapper's, for a fifth more time than that one's with
@@ -17,11 +19,18 @@
  * 4. Where it is made by OpenGL: vtkPullPushMapper, since splats overlap many times. With few
  *    points a pixel they take some four times as long.
  *
+ * Noisy: where of 400 points more than a tenth have neighbours that are off the quadric through
+ * them by more than 0.35 of their mean spacing, root of the weighted mean square. Evenly spread
+ * noise is found at about 0.3 spacings (standard deviation, along the normal), thin parts and
+ * details that are as fine as the spacing, too; what lies on lines counts as noisy. Looking takes a
+ * tenth of a second at most.
+ *
  * Densities that vary: where an array "radius" says that the largest is over 10 times (rule 2) or
  * over 50 times (rule 3) the smallest, a thousandth of the points at either end left out, it is
  * vtkPullPushMapper, which takes 1000 to 1. There is no rule for points a pixel: both mappers of
  * clouds with normals leave out or average those that a pixel cannot tell apart. What is picked
- * stands beside what measures best in RESULTS.md.
+ * stands beside what measures best in RESULTS.md. For points without normals that are others in
+ * every frame take vtkDirectPointMapper: the rules are for those that stay.
  *
  * @sa vtkPointSurfaceMapper
  */
