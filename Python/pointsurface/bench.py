@@ -35,6 +35,7 @@ def full_cases(files):
     cases += [Case("torus", int(512 * 512 * density), 512) for density in (1 / 64, 1 / 16, 1 / 4, 1, 4, 16, 64)]
     cases += [Case("gyroid", 20_000_000, 1024)]
     cases += [Case(scene, 100_000, 512) for scene in SPREADS]
+    cases += [Case("sphere, no normals", 1_000_000, 512)]  # that normals are worth waiting for, or not
     cases += [Case(name, 0, 512) for name, isosurface in ISOSURFACES.items() if isosurface.is_there()]
     return list(dict.fromkeys(cases))
 

@@ -49,6 +49,7 @@ COLUMNS = {  # of the tables of scenes
 }
 JUDGED = ("milliseconds", "first_milliseconds", "psnr", "normal_mean")  # of what is picked, and of what is best
 CLOSE = 0.5  # dB that what is called best may be behind the least error, if it is faster
+CLEAR_TIME, CLEAR_ERROR = 0.9, 0.3  # share of the time at most, and dB less at least, that are no chance of a run
 FEW, MANY = 1_000_000, 20_000_000  # points that are to cost nearly the same
 MOST_RATIO, MOST_LOSS = 2, 0.5  # of their times, and dB
 FAMILY = "points of OpenGL"
@@ -58,13 +59,12 @@ FAMILY = "points of OpenGL"
 def pareto(rows):
     """The names of the renderers that no other one beats in both milliseconds and PSNR; truth and yardstick are apart."""
     names = [name for name in rows if name not in (MESH, FLYING_EDGES, EWA)]
+    return [name for name in names if not any(_beats(rows[other], rows[name]) for other in names)]
 
-    def beats(a, b):
-        a, b = rows[a], rows[b]
-        pair = (a["milliseconds"], -a["psnr"]), (b["milliseconds"], -b["psnr"])
-        return pair[0] != pair[1] and all(x <= y for x, y in zip(*pair))
 
-    return [name for name in names if not any(beats(other, name) for other in names)]
+def _beats(one, other):
+    pair = (one["milliseconds"], -one["psnr"]), (other["milliseconds"], -other["psnr"])
+    return pair[0] != pair[1] and all(x <= y for x, y in zip(*pair))
 
 
 def exceptions(rows):
@@ -82,6 +82,11 @@ def by_backend(result, backend):
     """The rows of our methods, with no supersampling, by a back end."""
     suffix = "" if backend == result["automatic"] else f", {backend}"
     return {name: result["rows"][name + suffix] for name in OURS if name + suffix in result["rows"]}
+
+
+def beaters(rows, name):
+    """Those that beat what is of that name in both milliseconds and PSNR, the least error first; none: it is on the front."""
+    return sorted((other for other in rows if _beats(rows[other], rows[name])), key=lambda other: -rows[other]["psnr"])
 
 
 def best(rows):
@@ -226,30 +231,41 @@ def _exceptions_section(measured):
 
 
 def _picked_section(measured):
-    """What vtkPointSurfaceMapperFactory picks beside what measures best."""
+    """What vtkPointSurfaceMapperFactory picks beside what measures best, and what beats it."""
+    picks = [
+        (case, backend, rows, result["picked"][backend])
+        for case, result in measured
+        for backend in BACKENDS
+        if len(rows := by_backend(result, backend)) > 1 and result["picked"][backend] in rows
+    ]
+    if not picks:
+        return []
+    others = [best(rows) if best(rows) != picked else "" for _, _, rows, picked in picks]
+    beaten = [(*pick, names[0]) for pick in picks if (names := beaters(pick[2], pick[3]))]
+    clear = sum(_is_clear(*row[2:]) for row in beaten)
+    lines = [*PICKED.splitlines(), "", f"Picked is what measures best in {others.count('')} of {len(picks)}. It is on the front, where"]
+    lines += [f"none of ours beats it in both time and PSNR, in {len(picks) - len(beaten)}, and clearly beaten in {clear}."]
+    if beaten:
+        rows = (_picked_row(*row, "yes" if _is_clear(*row[2:]) else "no") for row in beaten)
+        lines += ["", "What is not on the front:", "", *_picked_head("beaten by", "clearly"), *rows]
+    lines += ["", "All that is picked, beside what is best where that is another one:"]
+    return [*lines, "", *_picked_head("best"), *(_picked_row(*pick, other) for pick, other in zip(picks, others))]
+
+
+def _picked_head(other, *more):
     figures = [COLUMNS[column][0] for column in JUDGED]
     sides = "r" * len(JUDGED)
-    lines = _table(["scene", "back end", "picked", *figures, "best", *figures], f"lll{sides}l{sides}")
-    others, count = 0, 0
-    for case, result in measured:
-        for backend in BACKENDS:
-            rows, picked = by_backend(result, backend), result["picked"][backend]
-            if picked not in rows or len(rows) < 2:
-                continue
-            count += 1
-            first = best(rows)
-            other = [first, *_judged(rows[first])] if first != picked else [""] * (1 + len(JUDGED))
-            others += first != picked
-            lines.append(_row([_link(case), backend, picked, *_judged(rows[picked]), *other]))
-    if not count:
-        return []
-    return [
-        *PICKED.splitlines(),
-        "",
-        f"Picked is what measures best in {count - others} of {count}.",
-        "",
-        *lines,
-    ]
+    return _table(["scene", "back end", "picked", *figures, other, *figures, *more], f"lll{sides}l{sides}{'l' * len(more)}")
+
+
+def _picked_row(case, backend, rows, picked, other, *more):
+    judged = _judged(rows[other]) if other else [""] * len(JUDGED)
+    return _row([_link(case), backend, picked, *_judged(rows[picked]), other, *judged, *more])
+
+
+def _is_clear(rows, picked, other):
+    ratio = rows[other]["milliseconds"] / rows[picked]["milliseconds"]
+    return ratio <= CLEAR_TIME and rows[other]["psnr"] >= rows[picked]["psnr"] + CLEAR_ERROR
 
 
 def _judged(row):
@@ -330,9 +346,10 @@ CREDIT = "- The models bunny, armadillo, dragon, buddha and lucy are of the Stan
 PICKED = f"""## What is picked
 
 The mapper that vtkPointSurfaceMapperFactory picks, by back end, and, where it is another one, what measures best: the
-fastest of ours within {CLOSE} dB of the least error that one of them has, with no supersampling. For points without
-normals the time to the first frame counts too, in which the others estimate them, and the normals where there is noise
-(half of the mean spacing, along the normal; direct.md has more of it)."""
+fastest of ours within {CLOSE} dB of the least error that one of them has, with no supersampling. Clearly beaten is what
+another one is ahead of by {100 - 100 * CLEAR_TIME:.0f}% of the time and {CLEAR_ERROR} dB, of those that beat it the one of the least error. For points
+without normals the time to the first frame counts too, in which the others estimate them, and the normals where there
+is noise (in mean spacings, along the normal; direct.md has more of it)."""
 MANY_POINTS = f"""## As many points as there may be
 
 {MANY // 1_000_000} million points beside {FEW // 1_000_000} million on the same surface; aimed at: at most {MOST_RATIO} times the time of all threads, and at

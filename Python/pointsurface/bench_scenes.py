@@ -102,7 +102,11 @@ class Spread:
 # What the rules of vtkPointSurfaceMapperFactory ask for.
 SPREADS = {f"sphere, radii 1 to {ratio}": Spread("sphere", ratio) for ratio in (5, 10, 25, 50, 100)}
 SPREADS |= {f"{scene}, no normals": Spread(scene, normals=False) for scene in ("sphere", "gyroid")}
-SPREADS |= {f"{scene}, no normals, noise": Spread(scene, normals=False, noise=0.5) for scene in ("sphere", "gyroid")}
+SPREADS |= {
+    f"{scene}, no normals, noise {noise}": Spread(scene, normals=False, noise=noise)
+    for noise in (0.25, 0.5)
+    for scene in ("sphere", "gyroid")
+}
 SPREADS |= {f"sphere, no normals, radii 1 to {ratio}": Spread("sphere", ratio, False) for ratio in (5, 10, 20)}
 
 

@@ -101,10 +101,27 @@ def test_what_is_picked_beside_what_is_best(tmp_path):
     assert "Picked is what measures best in 1 of 2." in told
     assert "| CPU | surface-splats | 20.0 | 1 | 40.00 | 1.00 | pull-push | 10.0 | 1 | 39.60 | 1.00 |" in told
     assert "| OpenGL | pull-push | 100.0 | 1 | 39.00 | 1.00 |  |  |  |  |  |" in told
+    # direct beats neither, pull-push is no faster with less error: both picks are on the front
+    assert "none of ours beats it in both time and PSNR, in 2, and clearly beaten in 0." in told and "beaten by" not in told
     # by a GPU the rows with no back end in their names are those of OpenGL
     swapped = {name.replace("OpenGL", "CPU"): row for name, row in rows.items()}
     assert bench_report.by_backend(results(swapped, "OpenGL"), "OpenGL").keys() == {"pull-push", "surface-splats", "direct"}
     assert bench_report.by_backend(results(swapped, "OpenGL"), "CPU")["pull-push"]["milliseconds"] == 100
+
+
+def test_what_beats_what_is_picked(tmp_path):
+    rows = {"pull-push": result(8.9, 40.4), "surface-splats": result(10, 40), "direct": result(10, 40)}
+    rows |= {"image-space": result(9, 41), "pull-push 2x": result(1, 99)}
+    rows |= {"pull-push, OpenGL": result(10, 30), "surface-splats, OpenGL": result(9.5, 35)}
+    faster = {**rows, "pull-push, OpenGL": result(9, 30)}
+    measured = [(Case("torus", 1000, 64), results(rows)), (Case("gyroid", 1000, 64), results(faster))]
+    assert bench_report.beaters(bench_report.by_backend(results(rows), "CPU"), "surface-splats") == ["image-space", "pull-push"]
+    told = section(report(tmp_path, measured), "What is picked")
+    assert "none of ours beats it in both time and PSNR, in 1, and clearly beaten in 2." in told
+    beaten = told.split("What is not on the front:")[1].split("All that is picked")[0]
+    assert beaten.count("| OpenGL |") == 1 and beaten.count("| CPU |") == 2
+    assert "| CPU | surface-splats | 10.0 | 1 | 40.00 | 1.00 | image-space | 9.0 | 1 | 41.00 | 1.00 | yes |" in beaten
+    assert "| OpenGL | pull-push | 10.0 | 1 | 30.00 | 1.00 | surface-splats | 9.5 | 1 | 35.00 | 1.00 | no |" in beaten
 
 
 def test_many_points_beside_few(tmp_path):
@@ -188,7 +205,8 @@ def test_points_whose_radii_grow_along_x():
 
 def test_noisy_points():
     """Their distances from the centre of a sphere of radius 0.5."""
-    cloud = bench_scenes.make_points(bench_scenes.make_mesh("sphere"), 10_000, bench_scenes.SPREADS["sphere, no normals, noise"])
+    spread = bench_scenes.SPREADS["sphere, no normals, noise 0.5"]
+    cloud = bench_scenes.make_points(bench_scenes.make_mesh("sphere"), 10_000, spread)
     points = vtk_to_numpy(cloud.GetPoints().GetData())
     spacing = (3.14159 / 10_000) ** 0.5
     assert points.dtype == "float32" and 0.48 < ((points**2).sum(axis=1) ** 0.5).std() / spacing < 0.52
