@@ -29,8 +29,17 @@ DENSITIES = (16, 64)  # points a pixel of the viewport
 FRAMES = 16
 STEP = 0.3  # degrees: half a pixel or so on the surface
 TRUTH_SUPERSAMPLING = 4  # along each side of a pixel
-FXAA = "FXAA"
-REMEDIES = {"": (1, False), FXAA: (1, True), "2x": (2, False), f"2x, {FXAA}": (2, True), "3x": (3, False)}
+FXAA, SAMPLES = "FXAA", "4 samples"
+# Supersampling, FXAA, samples of the window (VTK's default, 8, is 4 here).
+REMEDIES = {
+    "": (1, False, 0),
+    SAMPLES: (1, False, 4),
+    FXAA: (1, True, 0),
+    "2x": (2, False, 0),
+    f"2x, {FXAA}": (2, True, 0),
+    "3x": (3, False, 0),
+}
+SAMPLED = ("pull-push", "surface-splats")  # methods that are also drawn with samples of the window
 EDGE = 0.02  # diagonals that depths differ by across an edge
 MOST_VARIANCE = 1.2  # times the truth's
 LUMINANCE = (0.299, 0.587, 0.114)
@@ -38,12 +47,13 @@ DRAGON = os.path.join(DATA, "meshes", "dragon.vtp")
 SCENES = {"gyroid": "gyroid", "dragon": DRAGON}
 
 
-def follow_orbit(stage, mapper, see, scale=1):
+def follow_orbit(stage, mapper, see, scale=1, samples=0):
     """What see(window) gives of each frame, the median milliseconds to draw one, and the renderer string.
 
-    scale: of the window."""
+    scale, samples: of the window."""
     stage.actor.SetMapper(mapper)
     window = window_without_screen(stage.renderer, tuple(scale * n for n in stage.size))
+    window.SetMultiSamples(samples)
     camera = stage.renderer.GetActiveCamera()
     frames, times = [], []
     for _ in range(FRAMES):
@@ -63,13 +73,13 @@ def draw_orbit(stage, name, remedy="", scale=1):
     """Luminance of all frames (frames, height, width), the median milliseconds of one, and the renderer string.
 
     remedy: a key of REMEDIES. scale: of the picture, whose blocks of pixels are averaged."""
-    supersampling, fxaa = REMEDIES[remedy]
+    supersampling, fxaa, samples = REMEDIES[remedy]
     mapper, unlit = stage.make_mapper(name)
     if supersampling > 1:
         mapper.SetSupersampling(supersampling)
     stage.actor.GetProperty().SetLighting(not unlit)
     stage.renderer.SetUseFXAA(fxaa)
-    return follow_orbit(stage, mapper, lambda window: box_average(grab_color(window), scale) @ LUMINANCE, scale)
+    return follow_orbit(stage, mapper, lambda window: box_average(grab_color(window), scale) @ LUMINANCE, scale, samples)
 
 
 def find_edges(stage):
@@ -94,7 +104,7 @@ def measure(scene, density):
     edges = find_edges(stage)
     whole = np.ones_like(surface)
     rows = {}
-    ours = [(method, remedy) for method in OURS for remedy in REMEDIES]
+    ours = [(method, remedy) for method in OURS for remedy in REMEDIES if remedy != SAMPLES or method in SAMPLED]
     for name, remedy in [*ours, (GAUSSIAN, ""), (MESH, ""), (MESH, FXAA)]:
         frames, milliseconds, _ = draw_orbit(stage, name, remedy)
 
@@ -141,7 +151,8 @@ COLUMNS = ("orbit", "inside", "edges", "flicker", "whole", "psnr")
 HEAD = """# Aliasing of dense clouds
 
 By `Testing/Benchmarks/aliasing.py`, {pixels} x {pixels} pixels, {frames} frames of an orbit, {step} degrees from one to the
-next. Points a pixel are of the viewport; 2x and 3x is SetSupersampling, FXAA is vtkRenderer's UseFXAAOn. Variance: of a
+next. Points a pixel are of the viewport; 2x and 3x is SetSupersampling, FXAA is vtkRenderer's UseFXAAOn, 4 samples are of
+the window, which otherwise has one (VTK makes several where it is not told). Variance: of a
 pixel's luminance over time, as a multiple of that of the mesh with {samples} samples a pixel; over the orbit, of the surface
 (where the truth shows it in all frames), of that away from edges and beside them (where depths differ by {edge:.0f}% of the
 diagonal); between one frame and the next, of the surface and of the whole picture. "mesh" is the mesh with one sample a
