@@ -184,10 +184,10 @@ void vtkDirectPointMapper::ReplaceShaderValues(
     vtkSurfaceTarget::GetInputDeclarations(this->GetSplats().GetLayers(), "in") +
       vtkDirectReconstructionOpenGL::GetSplatDeclarations() + vtkLitSplatsDec);
   vtkShaderProgram::Substitute(text, "//PointSurface::Lit::Impl", vtkLitSplatsFetch);
-  vtkShaderProgram::Substitute(text, "gl_FragData[0].a *= psCoverage;",
+  vtkShaderProgram::Substitute(text, "gl_FragData[0].a = psCover(",
     "if (psLightsSplat) { return; }\n"
     "  gl_FragData[0] = psWeight > 0.0 ? psLit / psWeight : gl_FragData[0];\n"
-    "  gl_FragData[0].a *= psCoverage;");
+    "  gl_FragData[0].a = psCover(");
   vtkSurfaceBufferShading::CallFromMain(text, vtkLitSplatsImpl);
   fragment->SetSource(text);
 }

@@ -103,6 +103,7 @@ public:
   vtkPointProjectionOpenGL Projection;
   vtkPointProjectionCPU ProjectionCPU;
   vtkSurfacePixels Pixels;       // of the CPU back end's last frame
+  vtkSurfacePixels LesserPixels; // see vtkSurfaceBuffer
   vtkSurfacePixels SamplePixels; // and what they were resolved from, as Samples on OpenGL's
   vtkSurfaceTarget Samples;
   vtkResolveOpenGL Resolve;
@@ -204,6 +205,7 @@ void vtkPointSurfaceMapper::ReleaseGraphicsResources(vtkWindow* window)
   for (auto& surface : this->Internals->Surfaces)
   {
     surface->Target.ReleaseGraphicsResources(window);
+    surface->Lesser.ReleaseGraphicsResources(window);
     surface->Splats.ReleaseGraphicsResources(window);
   }
   this->Internals->Surfaces.clear();
@@ -779,12 +781,12 @@ std::array<double, 6> GetBoundsOf(const vtkPointBlockGroup& blocks, const double
   return bounds;
 }
 
-/// Whether what is drawn to now has several samples a pixel: the window itself, but few passes.
-bool IsMultisampled(vtkOpenGLRenderWindow* window)
+/// Samples of a pixel of what is drawn to now, if several: the window itself has them, few passes.
+int GetMultiSamples(vtkOpenGLRenderWindow* window)
 {
   GLint samples = 0;
   window->GetState()->vtkglGetIntegerv(GL_SAMPLES, &samples);
-  return samples > 1;
+  return samples > 1 ? samples : 0;
 }
 
 int GetCulling(vtkProperty* property)
@@ -869,7 +871,8 @@ vtkPointSurfaceView vtkPointSurfaceMapper::GetView(
   std::copy_n(viewport, 2, this->Internals->ViewportOrigin);
   view.Supersampling = this->GetPossibleSupersampling(viewport + 2);
   view.Size = { view.Supersampling * viewport[2], view.Supersampling * viewport[3] };
-  view.SmoothOutline = IsMultisampled(window) && view.Supersampling == 1 && !this->MakesCoverage();
+  view.SmoothOutline =
+    GetMultiSamples(window) > 0 && view.Supersampling == 1 && !this->MakesCoverage();
 
   view.Cull = this->NeedsNormals() ? GetCulling(actor->GetProperty())
                                    : static_cast<int>(vtkPointSurfaceView::NoCulling);
@@ -1083,6 +1086,24 @@ private:
 };
 }
 
+namespace
+{
+/// One rectangle for each row of tiles, that holds all of them.
+std::vector<std::array<int, 4>> GetHulls(const std::vector<std::array<int, 4>>& tiles)
+{
+  std::vector<std::array<int, 4>> hulls;
+  for (const auto& tile : tiles)
+  {
+    if (hulls.empty() || hulls.back()[1] != tile[1])
+    {
+      hulls.push_back(tile);
+    }
+    hulls.back()[2] = tile[2];
+  }
+  return hulls;
+}
+}
+
 void vtkPointSurfaceMapper::MakeBuffer(
   vtkSurfaceBuffer& surface, const vtkPointSurfaceView& view, bool ids, bool colors)
 {
@@ -1098,13 +1119,15 @@ void vtkPointSurfaceMapper::MakeBuffer(
   }
   vtkOpenGLRenderWindow* window = internals.Window;
   vtkOpenGLState* state = window->GetState();
-  surface.Target.Allocate(
-    window, view.Size[0] / view.Supersampling, view.Size[1] / view.Supersampling, layers);
+  const int width = view.Size[0] / view.Supersampling;
+  const int height = view.Size[1] / view.Supersampling;
+  surface.Target.Allocate(window, width, height, layers);
   const bool resolve = view.Supersampling > 1;
   const auto& r = view.Rectangle;
   surface.View = view;
   surface.Valid = true;
   surface.HasCoverage = resolve || view.SmoothOutline || this->MakesCoverage();
+  surface.LesserTiles.clear();
   ++this->LastFrameReconstructions;
   if (this->LastFrameBackend == CPU)
   {
@@ -1113,7 +1136,8 @@ void vtkPointSurfaceMapper::MakeBuffer(
     this->MakeSurfacePixels(view, ids, colors, samples);
     if (resolve)
     {
-      vtkResolveCPU::Run(view, samples, internals.Pixels);
+      surface.LesserTiles =
+        vtkResolveCPU::Run(view, samples, internals.Pixels, internals.LesserPixels);
       ++this->LastFramePasses;
     }
     else if (view.SmoothOutline)
@@ -1124,6 +1148,12 @@ void vtkPointSurfaceMapper::MakeBuffer(
     surface.Bands = internals.Pixels.GetBands();
     this->LastFrameSurfaceBytesUploaded +=
       surface.Target.Upload(window, internals.Pixels, internals.Pixels.GetRead(surface.Bands));
+    if (!surface.LesserTiles.empty())
+    {
+      surface.Lesser.Allocate(window, width, height, layers);
+      this->LastFrameSurfaceBytesUploaded += surface.Lesser.Upload(window, internals.LesserPixels,
+        internals.LesserPixels.GetRead(GetHulls(surface.LesserTiles)));
+    }
     internals.ClockMilliseconds[Reconstruct] =
       1e3 * (vtkTimerLog::GetUniversalTime() - start) - internals.ClockMilliseconds[Project];
     return;
@@ -1163,7 +1193,11 @@ void vtkPointSurfaceMapper::MakeBuffer(
       this->MakeSurfaceBuffer(window, view, internals.Samples);
       if (resolve)
       {
-        internals.Resolve.Run(window, view, internals.Samples, surface.Target);
+        surface.Lesser.Allocate(window, width, height, layers);
+        internals.Resolve.Run(window, view, internals.Samples, surface.Target, false);
+        internals.Resolve.Run(window, view, internals.Samples, surface.Lesser, true);
+        surface.LesserTiles = surface.Bands;
+        ++this->LastFramePasses;
       }
       else
       {
@@ -1320,12 +1354,13 @@ private:
 };
 }
 
-std::vector<std::array<float, 4>> vtkPointSurfaceMapper::GetShadedRectangles()
+vtkIdType vtkPointSurfaceMapper::DrawRectangles(
+  vtkShaderProgram* program, const std::vector<std::array<int, 4>>& bands)
 {
-  const vtkSurfaceBuffer& surface = *this->Internals->Current;
-  const vtkPointSurfaceView& view = surface.View;
+  const vtkPointSurfaceView& view = this->Internals->Current->View;
   std::vector<std::array<float, 4>> rectangles;
-  for (const auto& band : surface.Bands)
+  vtkIdType drawnPixels = 0;
+  for (const auto& band : bands)
   {
     const int* drawn = this->LastFrameRectangle;
     int size[2];
@@ -1342,10 +1377,32 @@ std::vector<std::array<float, 4>> vtkPointSurfaceMapper::GetShadedRectangles()
     if (size[0] > 0 && size[1] > 0)
     {
       rectangles.push_back(rectangle);
-      this->LastFramePixelsShaded += static_cast<vtkIdType>(size[0]) * size[1];
+      drawnPixels += static_cast<vtkIdType>(size[0]) * size[1];
     }
   }
-  return rectangles;
+  for (size_t first = 0; first < rectangles.size(); first += vtkSurfacePixels::MaximumNumberOfBands)
+  {
+    const int count = static_cast<int>(
+      std::min<size_t>(rectangles.size() - first, vtkSurfacePixels::MaximumNumberOfBands));
+    program->SetUniform4fv(
+      "psRectangles", count, reinterpret_cast<const float(*)[4]>(&rectangles[first]));
+    glDrawArrays(GL_TRIANGLES, 0, 6 * count);
+  }
+  return drawnPixels;
+}
+
+void vtkPointSurfaceMapper::DrawLesserSurface(vtkShaderProgram* program)
+{
+  vtkSurfaceBuffer& surface = *this->Internals->Current;
+  surface.Target.Deactivate();
+  surface.Lesser.Activate();
+  surface.Lesser.SetSamplers(program, "ps");
+  program->SetUniformi("psIsLesser", 1);
+  this->DrawRectangles(program, surface.LesserTiles);
+  program->SetUniformi("psIsLesser", 0);
+  surface.Lesser.Deactivate();
+  surface.Target.Activate();
+  surface.Target.SetSamplers(program, "ps");
 }
 
 void vtkPointSurfaceMapper::ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* actor)
@@ -1383,17 +1440,20 @@ void vtkPointSurfaceMapper::ShadeSurfaceBuffer(vtkRenderer* renderer, vtkActor* 
       state->vtkglEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS); // as vtkOpenGLPolyDataMapper does
     }
     std::optional<ScopedAlphaToCoverage> alphaToCoverage;
-    if (!actor->IsRenderingTranslucentPolygonalGeometry() && internals.Current->HasCoverage &&
-      IsMultisampled(internals.Window))
+    const int samples = GetMultiSamples(internals.Window);
+    const bool coversSamples = samples > 0 && internals.Current->HasCoverage &&
+      !actor->IsRenderingTranslucentPolygonalGeometry();
+    if (coversSamples)
     {
       alphaToCoverage.emplace(state);
     }
-    const auto rectangles = this->GetShadedRectangles();
-    const int count = static_cast<int>(rectangles.size());
-    helper.Program->SetUniform4fv(
-      "psRectangles", count, reinterpret_cast<const float(*)[4]>(rectangles.data()));
+    helper.Program->SetUniformi("psCoverSteps", coversSamples ? samples : 0);
     helper.VAO->Bind();
-    glDrawArrays(GL_TRIANGLES, 0, 6 * count);
+    if (!internals.Current->LesserTiles.empty() && !renderer->GetSelector())
+    {
+      this->DrawLesserSurface(helper.Program);
+    }
+    this->LastFramePixelsShaded += this->DrawRectangles(helper.Program, internals.Current->Bands);
   }
   if (duplicates)
   {
@@ -1496,6 +1556,7 @@ void vtkPointSurfaceMapper::SetMapperShaderParameters(
     program->SetUniformi("psLeavesDuplicates", actor->IsRenderingTranslucentPolygonalGeometry());
   }
   program->SetUniformi("psHasCoverage", this->Internals->Current->HasCoverage);
+  program->SetUniformi("psIsLesser", 0);
   const auto pixels = view.GetPixelRectangle();
   const int end[2] = { pixels[0] + pixels[2], pixels[1] + pixels[3] };
   program->SetUniform2i("psBegin", pixels.data());
@@ -1576,6 +1637,26 @@ std::vector<float> SplitCoverage(std::vector<float>& surface)
   }
   return coverage;
 }
+
+/// Of pixels that show a second surface as well: the two cover all of them.
+void AddCoverage(const std::vector<float>& surface, std::vector<float>& coverage)
+{
+  for (size_t i = 0; i < surface.size(); i += 4)
+  {
+    coverage[i] = surface[i + 3] > 0.0f ? 1.0f : coverage[i];
+  }
+}
+
+/// Rectangles as x, y, width, height.
+std::vector<std::array<int, 4>> GetSizes(std::vector<std::array<int, 4>> rectangles)
+{
+  for (auto& r : rectangles)
+  {
+    r[2] -= r[0];
+    r[3] -= r[1];
+  }
+  return rectangles;
+}
 }
 
 bool vtkPointSurfaceMapper::ReadSurfaceBuffer(vtkImageData* buffer)
@@ -1590,14 +1671,16 @@ bool vtkPointSurfaceMapper::ReadSurfaceBuffer(vtkImageData* buffer)
   vtkOpenGLRenderWindow* window = internals.Window;
   vtkSurfaceTarget& target = internals.Current->Target;
   const vtkPointSurfaceView& view = internals.Current->View;
-  std::vector<std::array<int, 4>> rectangles;
-  for (const auto& band : internals.Current->Bands)
-  {
-    rectangles.push_back({ band[0], band[1], band[2] - band[0], band[3] - band[1] });
-  }
+  const auto rectangles = GetSizes(internals.Current->Bands);
   SetImageExtent(buffer, target.GetWidth(), target.GetHeight(), view.Rim);
   auto surface = target.ReadFloats(window, vtkSurfaceTarget::Surface, rectangles);
-  const std::vector<float> coverage = SplitCoverage(surface);
+  std::vector<float> coverage = SplitCoverage(surface);
+  if (!internals.Current->LesserTiles.empty())
+  {
+    AddCoverage(internals.Current->Lesser.ReadFloats(
+                  window, vtkSurfaceTarget::Surface, GetSizes(internals.Current->LesserTiles)),
+      coverage);
+  }
   AddLayer(buffer, surface, "Normals", 0, 3);
   AddLayer(buffer, surface, "Depth", 3, 1);
   AddLayer(buffer, coverage, "Coverage", 0, 1);

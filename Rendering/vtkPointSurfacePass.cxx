@@ -37,8 +37,10 @@ void vtkPointSurfacePass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
   this->Internals->Opaque->ReleaseGraphicsResources(window);
-  this->Internals->Joint.GetBuffer()->Target.ReleaseGraphicsResources(window);
-  this->Internals->Joint.GetBuffer()->Valid = false;
+  vtkSurfaceBuffer& buffer = *this->Internals->Joint.GetBuffer();
+  buffer.Target.ReleaseGraphicsResources(window);
+  buffer.Lesser.ReleaseGraphicsResources(window);
+  buffer.Valid = false;
 }
 
 void vtkPointSurfacePass::Render(const vtkRenderState* state)

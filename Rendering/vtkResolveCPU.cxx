@@ -12,31 +12,82 @@
 
 namespace
 {
+constexpr int TileSize = 8; // of pixels that show two surfaces: few, along edges
+
+using Tiles = std::vector<std::array<int, 4>>;
+
 class Resolver
 {
 public:
-  Resolver(
-    const vtkPointSurfaceView& view, const vtkSurfacePixels& samples, vtkSurfacePixels& pixels)
+  Resolver(const vtkPointSurfaceView& view, const vtkSurfacePixels& samples,
+    vtkSurfacePixels& pixels, vtkSurfacePixels& lesser, std::vector<Tiles>& tiles)
     : Samples(samples)
     , Pixels(pixels)
+    , Lesser(lesser)
+    , TilesOfRows(tiles)
     , Factor(view.Supersampling)
     , DepthStep(static_cast<float>(2.0 * view.MeanRadius))
   {
   }
 
-  void operator()(vtkIdType firstRow, vtkIdType lastRow) const
+  /// Of rows of tiles.
+  void operator()(vtkIdType begin, vtkIdType end) const
   {
-    const int width = this->Pixels.Rectangle[2] - this->Pixels.Rectangle[0];
-    for (vtkIdType row = firstRow; row < lastRow; ++row)
+    const auto& r = this->Pixels.Rectangle;
+    for (auto row = static_cast<int>(begin); row < end; ++row)
     {
-      for (int column = 0; column < width; ++column)
+      const int bottom = TileSize * row;
+      const int top = std::min(bottom + TileSize, r[3] - r[1]);
+      this->ClearLesser(bottom, top);
+      for (int left = 0; left < r[2] - r[0]; left += TileSize)
       {
-        this->ResolvePixel(column, static_cast<int>(row));
+        const int right = std::min(left + TileSize, r[2] - r[0]);
+        if (this->ResolveTile(left, bottom, right, top))
+        {
+          this->AddTile(
+            { r[0] + left, r[1] + bottom, r[0] + right, r[1] + top }, this->TilesOfRows[row]);
+        }
       }
     }
   }
 
 private:
+  /// Neighbours become one.
+  static void AddTile(const std::array<int, 4>& tile, Tiles& tiles)
+  {
+    if (!tiles.empty() && tiles.back()[2] == tile[0])
+    {
+      tiles.back()[2] = tile[2];
+      return;
+    }
+    tiles.push_back(tile);
+  }
+
+  void ClearLesser(int bottom, int top) const
+  {
+    const size_t width = this->Pixels.Rectangle[2] - this->Pixels.Rectangle[0];
+    std::fill(this->Lesser.Surface.begin() + 4 * width * bottom,
+      this->Lesser.Surface.begin() + 4 * width * top, 0.0f);
+    if (!this->Lesser.Id.empty())
+    {
+      std::fill(this->Lesser.Id.begin() + width * bottom, this->Lesser.Id.begin() + width * top, 0);
+    }
+  }
+
+  /// Whether one of the pixels shows two surfaces.
+  bool ResolveTile(int left, int bottom, int right, int top) const
+  {
+    bool two = false;
+    for (int row = bottom; row < top; ++row)
+    {
+      for (int column = left; column < right; ++column)
+      {
+        two = this->ResolvePixel(column, row) || two;
+      }
+    }
+    return two;
+  }
+
   /// Indices of the samples of a pixel that have a surface; returns how many.
   int GatherSamples(int column, int row, size_t (&covered)[16]) const
   {
@@ -58,7 +109,8 @@ private:
     return count;
   }
 
-  void ResolvePixel(int column, int row) const
+  /// Whether it shows two surfaces.
+  bool ResolvePixel(int column, int row) const
   {
     const size_t pixel =
       static_cast<size_t>(row) * (this->Pixels.Rectangle[2] - this->Pixels.Rectangle[0]) + column;
@@ -76,28 +128,55 @@ private:
     }
     if (count == 0)
     {
-      return;
+      return false;
     }
 
     float nearest = std::numeric_limits<float>::max();
+    float farthest = 0.0f;
     for (int i = 0; i < count; ++i)
     {
-      nearest = std::min(nearest, this->Samples.Surface[4 * covered[i] + 3]);
+      const float depth = this->Samples.Surface[4 * covered[i] + 3];
+      nearest = std::min(nearest, depth);
+      farthest = std::max(farthest, depth);
     }
-    auto isInFront = [&](size_t sample)
-    { return this->Samples.Surface[4 * sample + 3] <= nearest + this->DepthStep; };
+    const float limit = std::max(nearest + this->DepthStep, 0.5f * (nearest + farthest));
+    auto isInFront = [&](size_t sample) { return this->Samples.Surface[4 * sample + 3] <= limit; };
     const auto inFront = std::count_if(covered, covered + count, isInFront);
     const bool takeFront = 2 * inFront >= count;
-    const int kept =
-      static_cast<int>(std::remove_if(covered, covered + count,
-                         [&](size_t sample) { return isInFront(sample) != takeFront; }) -
-        covered);
-    this->Average(pixel, covered, kept, static_cast<float>(count) / (this->Factor * this->Factor));
+    const int kept = inFront == count
+      ? count
+      : static_cast<int>(std::stable_partition(covered, covered + count,
+                           [&](size_t sample) { return isInFront(sample) == takeFront; }) -
+          covered);
+    const int all = this->Factor * this->Factor;
+    // where the background is seen too, the surface with more samples stands for both
+    const bool two = kept < count && count == all;
+    this->Average(this->Pixels, pixel, covered, kept, two ? kept : count);
+    if (two)
+    {
+      this->Average(this->Lesser, pixel, covered + kept, count - kept, count - kept);
+      this->PutBehind(pixel);
+    }
+    return two;
   }
 
-  void Average(size_t pixel, const size_t* kept, int count, float coverage) const
+  /// Lets the lesser surface be drawn before the other one and be hidden where that is.
+  void PutBehind(size_t pixel) const
   {
-    float* surface = &this->Pixels.Surface[4 * pixel];
+    float& depth = this->Lesser.Surface[4 * pixel + 3];
+    depth = std::max(depth, this->Pixels.Surface[4 * pixel + 3] + this->DepthStep);
+    if (!this->Lesser.Id.empty())
+    {
+      this->Lesser.Id[pixel] = this->Pixels.Id[pixel];
+    }
+  }
+
+  /// The mean of some samples; the normal's length is the share of `covered` samples.
+  void Average(
+    vtkSurfacePixels& pixels, size_t pixel, const size_t* kept, int count, int covered) const
+  {
+    const float coverage = static_cast<float>(covered) / (this->Factor * this->Factor);
+    float* surface = &pixels.Surface[4 * pixel];
     const float* first = &this->Samples.Surface[4 * kept[0]];
     for (int i = 0; i < count; ++i)
     {
@@ -117,34 +196,46 @@ private:
       surface[k] = coverage * (size < 1e-6f ? first[k] : surface[k] / size);
     }
     surface[3] /= count;
-    if (!this->Pixels.Id.empty())
+    if (!pixels.Id.empty())
     {
-      this->Pixels.Id[pixel] = this->Samples.Id[kept[0]];
+      pixels.Id[pixel] = this->Samples.Id[kept[0]];
     }
-    for (int k = 0; k < 4 && !this->Pixels.Color.empty(); ++k)
+    for (int k = 0; k < 4 && !pixels.Color.empty(); ++k)
     {
       float sum = 0.0f;
       for (int i = 0; i < count; ++i)
       {
         sum += this->Samples.Color[4 * kept[i] + k];
       }
-      this->Pixels.Color[4 * pixel + k] = sum / count;
+      pixels.Color[4 * pixel + k] = sum / count;
     }
   }
 
   const vtkSurfacePixels& Samples;
   vtkSurfacePixels& Pixels;
+  vtkSurfacePixels& Lesser;
+  std::vector<Tiles>& TilesOfRows;
   const int Factor;
   const float DepthStep;
 };
 }
 
-void vtkResolveCPU::Run(
-  const vtkPointSurfaceView& view, const vtkSurfacePixels& samples, vtkSurfacePixels& pixels)
+std::vector<std::array<int, 4>> vtkResolveCPU::Run(const vtkPointSurfaceView& view,
+  const vtkSurfacePixels& samples, vtkSurfacePixels& pixels, vtkSurfacePixels& lesser)
 {
   const auto r = view.GetPixelRectangle();
-  pixels.Allocate(
-    { r[0], r[1], r[0] + r[2], r[1] + r[3] }, !samples.Id.empty(), !samples.Color.empty());
-  Resolver resolver(view, samples, pixels);
-  vtkSMPTools::For(0, r[3], resolver);
+  for (vtkSurfacePixels* made : { &pixels, &lesser })
+  {
+    made->Allocate(
+      { r[0], r[1], r[0] + r[2], r[1] + r[3] }, !samples.Id.empty(), !samples.Color.empty());
+  }
+  std::vector<Tiles> tilesOfRows((r[3] + TileSize - 1) / TileSize);
+  Resolver resolver(view, samples, pixels, lesser, tilesOfRows);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(tilesOfRows.size()), resolver);
+  Tiles all;
+  for (const Tiles& tiles : tilesOfRows)
+  {
+    all.insert(all.end(), tiles.begin(), tiles.end());
+  }
+  return all;
 }

@@ -9,6 +9,9 @@
 #ifndef vtkResolveCPU_h
 #define vtkResolveCPU_h
 
+#include <array>
+#include <vector>
+
 struct vtkPointSurfaceView;
 struct vtkSurfacePixels;
 
@@ -16,10 +19,12 @@ class vtkResolveCPU
 {
 public:
   /**
-   * Makes `pixels` from `samples`, which are those of the view's rectangle.
+   * Makes `pixels` from `samples`, which are those of the view's rectangle; `lesser` gets the other
+   * surface of the pixels that show two. Returns where these are: tiles (x, y, x end, y end), row
+   * by row from below.
    */
-  static void Run(
-    const vtkPointSurfaceView& view, const vtkSurfacePixels& samples, vtkSurfacePixels& pixels);
+  static std::vector<std::array<int, 4>> Run(const vtkPointSurfaceView& view,
+    const vtkSurfacePixels& samples, vtkSurfacePixels& pixels, vtkSurfacePixels& lesser);
 };
 
 #endif

@@ -12,7 +12,7 @@ vtkResolveOpenGL::vtkResolveOpenGL() = default;
 vtkResolveOpenGL::~vtkResolveOpenGL() = default;
 
 void vtkResolveOpenGL::Run(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
-  vtkSurfaceTarget& samples, vtkSurfaceTarget& surface)
+  vtkSurfaceTarget& samples, vtkSurfaceTarget& surface, bool lesser)
 {
   std::unique_ptr<vtkScreenPass>& pass = this->Passes[surface.GetLayers()];
   if (!pass)
@@ -34,6 +34,7 @@ void vtkResolveOpenGL::Run(vtkOpenGLRenderWindow* window, const vtkPointSurfaceV
   program->SetUniform2i("end", end);
   program->SetUniformi("samples", view.Supersampling);
   program->SetUniformf("depthStep", static_cast<float>(2.0 * view.MeanRadius));
+  program->SetUniformi("isLesser", lesser);
   surface.BindForWriting(window);
   const auto pixels = view.GetPixelRectangle();
   pass->Draw(window, pixels[0], pixels[1], pixels[2], pixels[3]);

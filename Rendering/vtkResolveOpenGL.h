@@ -3,8 +3,9 @@
  * @class   vtkResolveOpenGL
  * @brief   the step from a supersampled surface buffer to one of the viewport's size
  *
- * Averages the samples of the surface that most of a pixel shows. The length of the resulting
- * normal is the share of the pixel's samples that are covered, for shading to blend outlines by.
+ * Averages the samples of the surface that most of a pixel shows, and those of the other one where
+ * there are two. The length of the resulting normal is the share of the pixel's samples that the
+ * surface covers, for shading to blend edges by.
  */
 #ifndef vtkResolveOpenGL_h
 #define vtkResolveOpenGL_h
@@ -26,11 +27,12 @@ public:
   ~vtkResolveOpenGL();
 
   /**
-   * Fills `surface` from `samples`, which has view.Supersampling times its width and height and
-   * the same layers, within the view's rectangle.
+   * Fills `surface`, or with `lesser` that with the other surface of pixels that show two, from
+   * `samples`, which has view.Supersampling times its width and height and the same layers, within
+   * the view's rectangle.
    */
   void Run(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
-    vtkSurfaceTarget& samples, vtkSurfaceTarget& surface);
+    vtkSurfaceTarget& samples, vtkSurfaceTarget& surface, bool lesser);
 
   void ReleaseGraphicsResources();
 

@@ -80,7 +80,7 @@ void vtkSurfaceBufferShading::Finish(std::string& fragmentShader)
   vtkShaderProgram::Substitute(fragmentShader, "gl_FrontFacing", "psFrontFacing");
   // the template's last line before passes and selection take over
   vtkShaderProgram::Substitute(fragmentShader, "if (gl_FragData[0].a <= 0.0)",
-    "gl_FragData[0].a *= psCoverage;\n  if (gl_FragData[0].a <= 0.0)");
+    "gl_FragData[0].a = psCover(gl_FragData[0].a);\n  if (gl_FragData[0].a <= 0.0)");
   vtkShaderProgram::Substitute(fragmentShader, "float clipDistancesVSOutput[6];",
     "float clipDistancesVSOutput[6];\nuniform vec4 clipPlanes[6];");
   vtkShaderProgram::Substitute(

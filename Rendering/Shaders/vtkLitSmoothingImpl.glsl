@@ -16,7 +16,7 @@ void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy) - psOrigin;
   float depth = texelFetch(psSurface, pixel, 0).w;
-  vec4 sum = vec4(0.0);
+  vec3 sum = vec3(0.0);
   float total = 0.0;
   for (int i = 0; i < 9 && depth > 0.0; ++i)
   {
@@ -28,7 +28,7 @@ void main()
     if (counts && psIsDrawn())
     {
       float weight = psWeights[abs(psOffset.x) + abs(psOffset.y)];
-      sum += weight * gl_FragData[0];
+      sum += weight * gl_FragData[0].rgb;
       total += weight;
     }
   }
@@ -37,5 +37,6 @@ void main()
   {
     discard;
   }
-  gl_FragData[0] = (sum + psWeights[0] * gl_FragData[0]) / (total + psWeights[0]);
+  // alpha has the share that the surface covers of this pixel, to which neighbours add nothing
+  gl_FragData[0].rgb = (sum + psWeights[0] * gl_FragData[0].rgb) / (total + psWeights[0]);
 }

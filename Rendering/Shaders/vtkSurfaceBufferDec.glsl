@@ -10,6 +10,8 @@ in vec4 psRay;             // x and y in eye coordinates where z is 0, and what 
 uniform mat4 psEyeToView;  // to the view coordinates of VTK's shaders
 uniform mat3 psNormalToView;
 uniform int psHasCoverage; // whether the normal's length is the share of the pixel that is covered
+uniform int psIsLesser;    // whether another surface, which has more of the pixel, is drawn over this one
+uniform int psCoverSteps;  // samples of a pixel, of which alpha says how many are drawn to; 0 where it is blended by
 float psCoverage;
 float psFragCoordZ;        // stands for gl_FragCoord.z
 float psFragCoordW;        // stands for gl_FragCoord.w
@@ -27,6 +29,20 @@ uniform bool psLeavesDuplicates;    // draw none of these pixels
 vec4 psFetch(sampler2D layer, vec2 place)
 {
   return textureLod(layer, place * psTexel, 0.0);
+}
+
+// What becomes of alpha by the share of the pixel that the surface covers. What lies behind another one, which is drawn over
+// it and has the rest of the pixel, takes as much more as that hides.
+float psCover(float alpha)
+{
+  float covered = alpha * psCoverage;
+  covered = psIsLesser != 0 ? covered / (1.0 - alpha + covered) : covered;
+  if (psCoverSteps > 0 && covered < 1.0)
+  {
+    // the nearest number of samples, and a little less: a little more may be taken for the next number
+    covered = (floor(covered * float(psCoverSteps) + 0.5) - 0.25) / float(psCoverSteps);
+  }
+  return covered;
 }
 
 // Whether a normal that points a little away from the viewer leans to where the surface ends or
