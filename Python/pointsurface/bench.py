@@ -46,7 +46,7 @@ def add_arguments(parser):
     parser.add_argument("files", nargs="*", help="meshes to measure with beside the generated scenes (with --full)")
     parser.add_argument(
         "--full", action="store_true",
-        help="all scenes, viewports and densities: some 25 minutes on two cores; without it three of them, some 2 minutes",
+        help="all scenes, viewports and densities: some 30 minutes on two cores; without it three of them, some 2 minutes",
     )  # fmt: skip
     parser.add_argument(
         "--data", metavar="DIR", default=os.environ.get(DATA_VARIABLE),

@@ -4,7 +4,6 @@ by pvpython the client of their pvserver. It is compared with that of one rank, 
 
 import os
 
-import numpy as np
 from paraview import simple
 from paraview.modules.vtkRemotingCore import vtkProcessModule
 
@@ -29,11 +28,7 @@ view = scene.view(RemoteRenderThreshold=0)
 scene.show(cloud, view, "Pull-Push")
 name = "batch" if in_batch else "server"
 levels = scene.picture(view, f"parallel-2-{name}")
-serial = scene.read(os.path.join(scene.OUTPUT, "parallel-1-Pull-Push.png"))
-covered = scene.covered(levels), scene.covered(serial)
-difference = np.abs(levels - serial)[covered[0] | covered[1]].mean()
-unfilled, more = (covered[1] & ~covered[0]).sum(), (covered[0] & ~covered[1]).sum()
-print(f"| Pull-Push, {name} | 2 | {difference:.3f} | {unfilled} | {more} | {covered[1].sum()} |", flush=True)
+difference, unfilled = scene.compare_with_one_rank(levels, "Pull-Push", 2, label=f"Pull-Push, {name}")
 assert cloud.GetDataInformation().GetNumberOfPoints() == 20000
 assert in_batch or view.GetClientSideObject().GetUseDistributedRenderingForRender(), "the client draws"
 assert difference < 0.01 and unfilled == 0, "differs from the serial picture"

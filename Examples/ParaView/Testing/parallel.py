@@ -70,18 +70,11 @@ sys.excepthook = stop
 
 
 def compare(path, name, limit):
-    """Compares a picture with that of one rank, and prints a row of the table in Parallel.md: by the mean difference in grey
-    levels, of which a seam with no exchange makes 0.01 to 0.03 on the sphere; and by the pixels that are left out."""
+    """Compares a picture with that of one rank."""
     if rank > 0 or ranks == 1:
         return
-    levels = scene.read(path)
-    serial = scene.read(os.path.join(scene.OUTPUT, f"parallel-1-{name}.png"))
-    ours, theirs = scene.covered(levels), scene.covered(serial)
-    difference = np.abs(levels - serial)[ours | theirs].mean()
-    unfilled, more = (theirs & ~ours).sum(), (ours & ~theirs).sum()
-    holes = scene.compare(levels, serial, name)[2]
-    print(f"| {name} | {ranks} | {difference:.3f} | {unfilled} | {more} | {theirs.sum()} |", flush=True)
-    check(difference < limit and holes == 0 and unfilled == 0, f"{name} differs from the serial picture")
+    difference, unfilled = scene.compare_with_one_rank(scene.read(path), name, ranks, label=name)
+    check(difference < limit and unfilled == 0, f"{name} differs from the serial picture")
 
 
 def draw(view, name, source, system, limit=0.01, **properties):
