@@ -131,9 +131,9 @@ def test_every_method(method):
 def test_auto_picks_by_normals():
     _, cloud = lit_cloud()
     plotter = pv.Plotter(off_screen=True, window_size=SIZE)
-    noise = np.random.default_rng(1).normal(scale=np.sqrt(np.pi / cloud.n_points), size=cloud.n_points)  # mean spacing
-    noisy = cloud.points * (1 + 2 * noise[:, None])  # of a radius of 0.5
-    bare = add_point_surface(plotter, noisy, method="auto").mapper
+    spacing = np.sqrt(4 * np.pi / cloud.n_points)  # on a radius of 1
+    noise = np.random.default_rng(1).normal(scale=spacing, size=cloud.n_points)
+    bare = add_point_surface(plotter, cloud.points * (1 + noise[:, None]), method="auto").mapper
     lit = add_point_surface(plotter, cloud, method="auto").mapper
     assert bare.GetClassName() == "vtkDirectPointMapper"
     plotter.screenshot(return_img=True)
