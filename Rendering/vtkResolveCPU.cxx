@@ -33,34 +33,39 @@ public:
   /// Of rows of tiles.
   void operator()(vtkIdType begin, vtkIdType end) const
   {
-    const auto& r = this->Pixels.Rectangle;
+    const int height = this->Pixels.Rectangle[3] - this->Pixels.Rectangle[1];
     for (auto row = static_cast<int>(begin); row < end; ++row)
     {
-      const int bottom = TileSize * row;
-      const int top = std::min(bottom + TileSize, r[3] - r[1]);
-      this->ClearLesser(bottom, top);
-      for (int left = 0; left < r[2] - r[0]; left += TileSize)
-      {
-        const int right = std::min(left + TileSize, r[2] - r[0]);
-        if (this->ResolveTile(left, bottom, right, top))
-        {
-          this->AddTile(
-            { r[0] + left, r[1] + bottom, r[0] + right, r[1] + top }, this->TilesOfRows[row]);
-        }
-      }
+      this->ResolveRows(
+        TileSize * row, std::min(TileSize * (row + 1), height), this->TilesOfRows[row]);
     }
   }
 
 private:
-  /// Neighbours become one.
-  static void AddTile(const std::array<int, 4>& tile, Tiles& tiles)
+  void ResolveRows(int bottom, int top, Tiles& tiles) const
   {
-    if (!tiles.empty() && tiles.back()[2] == tile[0])
+    const auto& r = this->Pixels.Rectangle;
+    std::vector<char> hasTwo((r[2] - r[0] + TileSize - 1) / TileSize);
+    this->ClearLesser(bottom, top);
+    for (int row = bottom; row < top; ++row)
     {
-      tiles.back()[2] = tile[2];
-      return;
+      for (int column = 0; column < r[2] - r[0]; ++column)
+      {
+        hasTwo[column / TileSize] |= this->ResolvePixel(column, row);
+      }
     }
-    tiles.push_back(tile);
+    for (int i = 0; i < static_cast<int>(hasTwo.size()); ++i)
+    {
+      const int right = std::min(r[0] + TileSize * (i + 1), r[2]);
+      if (hasTwo[i] && i > 0 && hasTwo[i - 1])
+      {
+        tiles.back()[2] = right; // neighbours become one
+      }
+      else if (hasTwo[i])
+      {
+        tiles.push_back({ r[0] + TileSize * i, r[1] + bottom, right, r[1] + top });
+      }
+    }
   }
 
   void ClearLesser(int bottom, int top) const
@@ -72,20 +77,6 @@ private:
     {
       std::fill(this->Lesser.Id.begin() + width * bottom, this->Lesser.Id.begin() + width * top, 0);
     }
-  }
-
-  /// Whether one of the pixels shows two surfaces.
-  bool ResolveTile(int left, int bottom, int right, int top) const
-  {
-    bool two = false;
-    for (int row = bottom; row < top; ++row)
-    {
-      for (int column = left; column < right; ++column)
-      {
-        two = this->ResolvePixel(column, row) || two;
-      }
-    }
-    return two;
   }
 
   /// Indices of the samples of a pixel that have a surface; returns how many.

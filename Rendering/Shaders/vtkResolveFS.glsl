@@ -29,8 +29,11 @@ void main()
     }
   }
   float limit = max(nearest + depthStep, 0.5 * (nearest + farthest));
+  bool isFull = covered == float(count);
+  bool isMade = isLesser == 0 || (isFull && farthest > limit);
+  int last = isMade ? count : 0;
   float inFront = 0.0;
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < last; ++i)
   {
     inFront += surfaces[i].w > 0.0 && surfaces[i].w <= limit ? 1.0 : 0.0;
   }
@@ -46,7 +49,7 @@ void main()
 #ifdef HAS_COLOR
   vec4 color = vec4(0.0);
 #endif
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < last; ++i)
   {
     if (surfaces[i].w <= 0.0)
     {
@@ -77,9 +80,8 @@ void main()
 #endif
   }
 
-  bool isFull = covered == float(count);
   vec4 surface = vec4(0.0);
-  if (weights > 0.0 && (isFull || isLesser == 0))
+  if (weights > 0.0)
   {
     float size = length(sum.xyz);
     vec3 normal = size < 1e-6 ? firstNormal : sum.xyz / size;
