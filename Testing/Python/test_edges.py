@@ -11,7 +11,7 @@ from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkHardwareSelector, vtkPolyDataMapper
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass
 
-from pointsurface import vtkDirectPointMapper, vtkPointSurfacePass, vtkPullPushMapper
+from pointsurface import vtkDirectPointMapper, vtkImageSpacePointMapper, vtkPointSurfacePass, vtkPullPushMapper
 from pointsurface.rendering import box_average
 
 SIZE = 100
@@ -133,6 +133,27 @@ def test_inner_edges_are_blended_by_shares(mapper_class, backend, prepare):
     print(f"{mapper_class.__name__} {backend} {prepare.__name__}: {edges.sum()} pixels, {off:.2f} levels, beside {beside:.2f}")
     assert edges.sum() > 60
     assert off < CASES[prepare]  # 30 to 60 where a pixel shows one surface alone
+
+
+def lit_first(scene):
+    scene.mapper.SmoothLitColorsOn()
+
+
+@pytest.mark.parametrize("samples", [0, 4])
+@pytest.mark.parametrize("backend", BACKENDS)
+@pytest.mark.parametrize("mapper_class, prepare", [(vtkPullPushMapper, as_it_is), (vtkImageSpacePointMapper, lit_first)])
+def test_the_background_does_not_shine_through(mapper_class, prepare, backend, samples):
+    inner = grow(edges_of(draw(mapper_class, backend, as_it_is, large=True)[0])[0], 2)
+    scene, _ = draw(mapper_class, backend, prepare, large=False)
+    inner &= ~grow(scene.depth() == 1, 3)
+    scene.window.SetMultiSamples(samples)
+    pictures = []
+    for background in ((0, 0, 0), (1, 1, 1)):
+        scene.renderer.SetBackground(background)
+        pictures.append(scene.color())
+    assert inner.sum() > 300
+    assert np.array_equal(pictures[0][inner], pictures[1][inner])
+    assert not np.array_equal(*pictures)
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
