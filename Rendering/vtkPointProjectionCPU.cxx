@@ -5,7 +5,6 @@
 #include "vtkPointProjectionOptions.h"
 #include "vtkPointSurfaceVectorize.h"
 #include "vtkPointSurfaceView.h"
-#include "vtkPointThinning.h"
 #include "vtkSurfaceImage.h"
 
 #include "vtkDoubleArray.h"
@@ -339,7 +338,7 @@ void vtkPointProjectionCPU::SetPoints(const vtkDrawablePoints* points, vtkDataAr
     this->Positions = vtkSmartPointer<vtkDoubleArray>::New();
     this->Positions->DeepCopy(cloud->GetPoints()->GetData());
   }
-  this->Copies.clear();
+  this->Thinned.clear();
   const bool inFloats = this->Positions->GetDataType() == VTK_FLOAT;
   void* positions = this->Positions->GetVoidPointer(0);
   Arrays& values = this->Values;
@@ -357,10 +356,7 @@ void vtkPointProjectionCPU::SetPoints(const vtkDrawablePoints* points, vtkDataAr
     this->Colors = vtkSmartPointer<vtkFloatArray>::New();
     this->Colors->DeepCopy(colors);
   }
-  const bool inBytes = colors && this->Colors->GetDataType() == VTK_UNSIGNED_CHAR;
-  void* colorValues = colors ? this->Colors->GetVoidPointer(0) : nullptr;
-  this->ByteColors = inBytes ? static_cast<const unsigned char*>(colorValues) : nullptr;
-  this->FloatColors = inBytes ? nullptr : static_cast<const float*>(colorValues);
+  values.SetColors(this->Colors);
 
   const double* bounds = points->GetBounds();
   for (int k = 0; k < 3; ++k)
@@ -434,10 +430,7 @@ struct vtkPointProjectionCPU::Part
 
   std::array<float, 4> GetColor(size_t ownPlace) const
   {
-    const vtkPointProjectionCPU& cloud = *this->Source->Projection;
-    const auto place =
-      vtkPointThinning::GetPoint(static_cast<std::uint32_t>(ownPlace), this->Source->Thinning);
-    return cloud.Colors ? cloud.GetColor(place) : this->Source->Color;
+    return this->Source->Projection->Colors ? this->Values.GetColor(ownPlace) : this->Source->Color;
   }
 
   float GetUniformRadius() const
@@ -506,59 +499,35 @@ struct vtkPointProjectionCPU::Part
 };
 
 //------------------------------------------------------------------------------
-void vtkPointProjectionCPU::CopyRepresentatives(int level)
+vtkPointProjectionCPU::Ranges vtkPointProjectionCPU::Thin(int size, const Ranges& ranges)
 {
-  if (level == 0 || this->Copies.count(level) > 0)
+  if (size == 1)
   {
-    return;
+    return ranges;
   }
-  Representatives& copies = this->Copies[level];
-  const Arrays& values = this->Values;
-  const auto points = static_cast<vtkIdType>(this->Points->GetOrder().GetIds().size());
-  const vtkIdType count = vtkPointThinning::GetNumberOfGroups(points, level);
-  copies.Ids.resize(count);
-  copies.Positions.resize(3 * count);
-  copies.Normals.resize(values.Normals ? 3 * count : 0);
-  copies.Radii.resize(values.Radii ? count : 0);
-  vtkSMPTools::For(0, count,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        // that of the last group may be beyond the end, and is not drawn then
-        const size_t place = std::min<size_t>(
-          vtkPointThinning::GetPoint(static_cast<unsigned int>(i), level), points - 1);
-        copies.Ids[i] = values.Ids[place];
-        for (int k = 0; k < 3; ++k)
-        {
-          copies.Positions[3 * i + k] = values.FloatPositions
-            ? values.FloatPositions[3 * place + k] - static_cast<float>(values.Origin[k])
-            : static_cast<float>(values.DoublePositions[3 * place + k] - values.Origin[k]);
-        }
-        if (values.Normals)
-        {
-          std::copy_n(values.Normals + 3 * place, 3, &copies.Normals[3 * i]);
-        }
-        if (values.Radii)
-        {
-          copies.Radii[i] = values.Radii[place];
-        }
-      }
-    });
+  auto thinned = this->Thinned.find(size);
+  if (thinned == this->Thinned.end())
+  {
+    const vtkThinnedPoints::Frame frame = { this->Values.Origin, { 1.0, 1.0, 1.0 } };
+    const vtkThinnedPoints made(*this->Points, this->Colors, frame, size);
+    thinned = this->Thinned.emplace(size, made).first;
+  }
+  return vtkThinnedPoints::GetGroups(thinned->second.Firsts, ranges);
 }
 
-vtkPointProjectionCPU::Arrays vtkPointProjectionCPU::GetArrays(int level) const
+vtkPointProjectionCPU::Arrays vtkPointProjectionCPU::GetArrays(int thinning) const
 {
-  if (level == 0)
+  if (thinning == 1)
   {
     return this->Values;
   }
-  const Representatives& copies = this->Copies.at(level);
+  const vtkThinnedPoints& thinned = this->Thinned.at(thinning);
   Arrays arrays;
-  arrays.FloatPositions = copies.Positions.data();
-  arrays.Normals = this->Values.Normals ? copies.Normals.data() : nullptr;
-  arrays.Radii = this->Values.Radii ? copies.Radii.data() : nullptr;
-  arrays.Ids = copies.Ids.data();
+  arrays.FloatPositions = thinned.Positions.data();
+  arrays.Normals = this->Values.Normals ? thinned.Normals.data() : nullptr;
+  arrays.Radii = this->Values.Radii ? thinned.Radii.data() : nullptr;
+  arrays.Ids = thinned.Ids.data();
+  arrays.SetColors(thinned.Colors);
   return arrays;
 }
 
@@ -1093,10 +1062,19 @@ void vtkPointProjectionCPU::Average(
   }
 }
 
-std::array<float, 4> vtkPointProjectionCPU::GetColor(size_t place) const
+void vtkPointProjectionCPU::Arrays::SetColors(vtkDataArray* colors)
+{
+  const bool inBytes = colors && colors->GetDataType() == VTK_UNSIGNED_CHAR;
+  void* values = colors ? colors->GetVoidPointer(0) : nullptr;
+  this->ByteColors = inBytes ? static_cast<const unsigned char*>(values) : nullptr;
+  this->FloatColors = inBytes ? nullptr : static_cast<const float*>(values);
+  this->ColorComponents = colors ? colors->GetNumberOfComponents() : 0;
+}
+
+std::array<float, 4> vtkPointProjectionCPU::Arrays::GetColor(size_t place) const
 {
   std::array<float, 4> color = { 0.0f, 0.0f, 0.0f, 1.0f };
-  const int size = this->Colors->GetNumberOfComponents();
+  const int size = this->ColorComponents;
   for (int k = 0; k < std::min(size, this->ByteColors ? 4 : 2); ++k)
   {
     color[k] = this->ByteColors ? this->ByteColors[size * place + k] / 255.0f

@@ -16,6 +16,7 @@
 #include "vtkPointSurfaceView.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSmartPointer.h"
+#include "vtkThinnedPoints.h"
 #include "vtkType.h"
 
 #include <array>
@@ -51,26 +52,27 @@ public:
   /**
    * What the layer Color carries of a point of the cloud; there is something.
    */
-  std::array<float, 4> GetColor(size_t place) const;
+  std::array<float, 4> GetColor(size_t place) const { return this->Values.GetColor(place); }
+
+  using Ranges = std::vector<std::array<vtkIdType, 2>>;
 
   /**
-   * Has to be called before points are drawn that are thinned to this level of vtkPointThinning:
-   * copies those, so that what is read follows each other. Copies are kept, at most as many points
-   * as there are.
+   * Makes what is drawn of the points in groups of a size, see vtkPointThinning: the ranges of that
+   * which are ranges of points. What is drawn of each size is kept.
    */
-  void CopyRepresentatives(int level);
+  Ranges Thin(int size, const Ranges& ranges);
 
   /**
    * A cloud to draw: its projection, and a view whose MCVC is of the points' own coordinates; what
    * the ids of its points begin with; its colour where the layer Color is wanted and it has none.
-   * Thinned, the view's ranges are of groups, and its radii are those of what stands for them, see
-   * vtkPointThinning.
+   * Thinned, the view's ranges are those of Thin(), and its radii are those of what stands for
+   * groups, see vtkPointThinning.
    */
   struct Cloud
   {
     const vtkPointProjectionCPU* Projection = nullptr;
     vtkPointSurfaceView View;
-    int Thinning = 0;
+    int Thinning = 1;
     vtkIdType FirstId = 0;
     std::array<float, 4> Color{ 1.0f, 1.0f, 1.0f, 1.0f };
   };
@@ -111,14 +113,6 @@ private:
   struct Site; ///< where a block of points falls
   struct Tile; ///< what a thread works on
 
-  /// What stands for the groups of a level, in their order.
-  struct Representatives
-  {
-    std::vector<unsigned int> Ids;
-    std::vector<float> Positions; // about the origin
-    std::vector<float> Normals, Radii;
-  };
-
   /// The values of points: of positions one of the two, about an origin.
   struct Arrays
   {
@@ -128,9 +122,15 @@ private:
     const float* Normals = nullptr; // nullptr: all points face the viewer
     const float* Radii = nullptr;   // nullptr: all have the same
     const unsigned int* Ids = nullptr;
+    const unsigned char* ByteColors = nullptr; // one of the two, or no colours
+    const float* FloatColors = nullptr;
+    int ColorComponents = 0;
+
+    void SetColors(vtkDataArray* colors); // unsigned chars or floats
+    std::array<float, 4> GetColor(size_t place) const;
   };
 
-  Arrays GetArrays(int level) const;
+  Arrays GetArrays(int thinning) const;
   Transform GetTransform(const vtkPointSurfaceView& view) const;
   static std::vector<Part> MakeParts(const std::vector<Cloud>& clouds);
   static const Part& GetPart(const std::vector<Part>& parts, unsigned int place);
@@ -153,10 +153,8 @@ private:
   vtkSmartPointer<vtkDataArray> Positions; // floats or doubles
   vtkSmartPointer<vtkDataArray> Colors;    // unsigned chars or floats
   Arrays Values;
-  const unsigned char* ByteColors = nullptr; // one of the two
-  const float* FloatColors = nullptr;
   vtkMTimeType ColorsTime = 0;
-  std::map<int, Representatives> Copies; // by level
+  std::map<int, vtkThinnedPoints> Thinned; // by the size of groups
 
   int TileColumns = 0;
   std::vector<Site> Sites;                        // of all blocks of points, in their order

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointProjectionOpenGL.h"
 
+#include "vtkDrawablePoints.h"
 #include "vtkPointProjectionOptions.h"
 #include "vtkPointSurfaceCompat.h"
 #include "vtkPointSurfaceView.h"
-#include "vtkPointThinning.h"
 #include "vtkScreenPass.h"
 #include "vtkSurfaceTarget.h"
 
+#include "vtkFloatArray.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLBufferObject.h"
@@ -21,19 +22,22 @@
 #include "vtkPointProjectionFS.h"
 #include "vtkPointProjectionVS.h"
 #include "vtkPointSumFS.h"
+#include "vtkPolyData.h"
 #include "vtkShaderProgram.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 
 namespace
 {
-/// As the shader's colorSource: the first of the attributes that the points have.
+const char* const ColorSources[] = { "scalarColor", "colorTCoord", "tcoord" };
+
+/// As the shader's colorSource: one more than the first of the attributes that the points have.
 int GetColorSource(vtkOpenGLVertexBufferObjectGroup* buffers)
 {
-  const char* const sources[] = { "scalarColor", "colorTCoord", "tcoord" };
   for (int i = 0; i < 3; ++i)
   {
-    if (buffers->GetNumberOfComponents(sources[i]) > 0)
+    if (buffers->GetNumberOfComponents(ColorSources[i]) > 0)
     {
       return i + 1;
     }
@@ -61,40 +65,61 @@ size_t vtkPointProjectionOpenGL::UploadIds(const std::vector<unsigned int>& ids,
   return ids.size() * sizeof(unsigned int);
 }
 
-size_t vtkPointProjectionOpenGL::UploadThinned(size_t points, vtkMTimeType time)
+void vtkPointProjectionOpenGL::SetPoints(
+  const vtkDrawablePoints* points, vtkDataArray* colors, const vtkThinnedPoints::Frame& frame)
 {
-  if (this->ThinnedTime == time)
+  this->Points = points;
+  this->Colors = colors;
+  this->Frame = frame;
+  this->Thinned.clear();
+  this->PointsTime.Modified();
+}
+
+size_t vtkPointProjectionOpenGL::UploadThinned(int size)
+{
+  if (size == 1 || this->Thinned.count(size) > 0)
   {
     return 0;
   }
-  this->ThinnedTime = time;
-  const auto count = static_cast<vtkIdType>(points);
-  const int largest = vtkPointThinning::GetLargestLevel(count);
-  std::vector<unsigned int> places;
-  this->FirstThinned = { 0 };
-  for (int level = 1; level <= largest; ++level)
+  const vtkThinnedPoints thinned(*this->Points, this->Colors, this->Frame, size);
+  Uploaded& uploaded = this->Thinned[size];
+  uploaded.Firsts = thinned.Firsts;
+  size_t bytes = 0;
+  const auto upload = [&bytes](vtkOpenGLBufferObject* buffer, const auto* values, size_t count)
   {
-    this->FirstThinned.push_back(places.size());
-    const auto groups =
-      static_cast<unsigned int>(vtkPointThinning::GetNumberOfGroups(count, level));
-    for (unsigned int group = 0; group < groups; ++group)
+    if (count > 0)
     {
-      places.push_back(vtkPointThinning::GetPoint(group, level));
+      buffer->Upload(values, count, vtkOpenGLBufferObject::ArrayBuffer);
+      bytes += count * sizeof(*values);
     }
-  }
-  if (!places.empty())
+  };
+  upload(uploaded.Ids, thinned.Ids.data(), thinned.Ids.size());
+  upload(uploaded.Positions, thinned.Positions.data(), thinned.Positions.size());
+  upload(uploaded.Normals, thinned.Normals.data(), thinned.Normals.size());
+  upload(uploaded.Radii, thinned.Radii.data(), thinned.Radii.size());
+  if (auto* colors = vtkArrayDownCast<vtkUnsignedCharArray>(thinned.Colors))
   {
-    this->Thinned->Upload(places, vtkOpenGLBufferObject::ElementArrayBuffer);
+    upload(uploaded.Colors, colors->GetPointer(0), colors->GetNumberOfValues());
   }
-  return places.size() * sizeof(unsigned int);
+  else if (auto* coordinates = vtkArrayDownCast<vtkFloatArray>(thinned.Colors))
+  {
+    upload(uploaded.Colors, coordinates->GetPointer(0), coordinates->GetNumberOfValues());
+  }
+  return bytes;
+}
+
+vtkPointProjectionOpenGL::Ranges vtkPointProjectionOpenGL::GetDrawn(
+  int size, const Ranges& ranges) const
+{
+  return size == 1 ? ranges : vtkThinnedPoints::GetGroups(this->Thinned.at(size).Firsts, ranges);
 }
 
 void vtkPointProjectionOpenGL::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Ids->ReleaseGraphicsResources();
   this->IdsTime = 0;
-  this->Thinned->ReleaseGraphicsResources();
-  this->ThinnedTime = 0;
+  this->Thinned.clear();
+  this->PointsTime.Modified();
   auto release = [](Pass& pass)
   {
     pass.VertexArray->ReleaseGraphicsResources();
@@ -293,29 +318,14 @@ void vtkPointProjectionOpenGL::DrawBy(vtkOpenGLRenderWindow* window,
 
 void vtkPointProjectionOpenGL::DrawRanges(Pass& pass, const Cloud& cloud)
 {
-  const int level = cloud.Thinning;
-  vtkPointProjectionOpenGL& projection = *cloud.Projection;
-  const size_t firstThinned = level == 0 ? 0 : projection.FirstThinned[level];
   std::vector<GLint> firsts;
-  std::vector<const void*> offsets; // the same among the places of thinned points
   std::vector<GLsizei> counts;
   for (const auto& range : cloud.View.Ranges)
   {
     firsts.push_back(static_cast<GLint>(range[0]));
-    offsets.push_back(
-      reinterpret_cast<const void*>((firstThinned + range[0]) * sizeof(unsigned int)));
     counts.push_back(static_cast<GLsizei>(range[1] - range[0]));
   }
-  const auto size = static_cast<GLsizei>(firsts.size());
-  if (level == 0)
-  {
-    glMultiDrawArrays(GL_POINTS, firsts.data(), counts.data(), size);
-  }
-  else
-  {
-    projection.Thinned->Bind(); // to the pass's vertex array
-    glMultiDrawElements(GL_POINTS, counts.data(), GL_UNSIGNED_INT, offsets.data(), size);
-  }
+  glMultiDrawArrays(GL_POINTS, firsts.data(), counts.data(), static_cast<GLsizei>(firsts.size()));
   pass.VertexArray->Release();
 }
 
@@ -324,33 +334,67 @@ void vtkPointProjectionOpenGL::BindAttributes(
 {
   vtkOpenGLVertexBufferObjectGroup* buffers = cloud.Buffers;
   pass.VertexArray->Bind();
-  if (program == pass.BoundProgram && buffers->GetMTime() < pass.BindTime &&
+  if (program == pass.BoundProgram && cloud.Thinning == pass.BoundThinning &&
+    this->PointsTime < pass.BindTime && buffers->GetMTime() < pass.BindTime &&
     program->GetMTime() < pass.BindTime)
   {
     return;
   }
   pass.VertexArray->ReleaseGraphicsResources();
   pass.VertexArray->Bind();
-  buffers->AddAllAttributesToVAO(program, pass.VertexArray);
+  if (cloud.Thinning > 1)
+  {
+    BindThinned(pass, program, cloud);
+  }
+  else
+  {
+    buffers->AddAllAttributesToVAO(program, pass.VertexArray);
+    BindIds(program, this->Ids);
+  }
   if (!cloud.HaveNormals)
   {
     pass.VertexArray->RemoveAttributeArray("normalMC"); // which then reads as zero
   }
-  this->BindIds(program);
   pass.BoundProgram = program;
+  pass.BoundThinning = cloud.Thinning;
   pass.BindTime.Modified();
 }
 
+void vtkPointProjectionOpenGL::BindThinned(
+  Pass& pass, vtkShaderProgram* program, const Cloud& cloud)
+{
+  Uploaded& thinned = cloud.Projection->Thinned.at(cloud.Thinning);
+  const auto bind = [&](vtkOpenGLBufferObject* buffer, const char* name, int type, int components)
+  {
+    const size_t size = components * (type == VTK_FLOAT ? sizeof(float) : 1);
+    if (buffer->GetHandle() != 0)
+    {
+      pass.VertexArray->AddAttributeArray(
+        program, buffer, name, 0, size, type, components, type != VTK_FLOAT);
+    }
+  };
+  bind(thinned.Positions, "vertexMC", VTK_FLOAT, 3);
+  bind(thinned.Normals, "normalMC", VTK_FLOAT, 3);
+  bind(thinned.Radii, "radiusMC", VTK_FLOAT, 1);
+  if (const int source = GetColorSource(cloud.Buffers))
+  {
+    const char* name = ColorSources[source - 1];
+    bind(thinned.Colors, name, source == 1 ? VTK_UNSIGNED_CHAR : VTK_FLOAT,
+      cloud.Buffers->GetNumberOfComponents(name));
+  }
+  BindIds(program, thinned.Ids);
+}
+
 /// VTK's vertex arrays have floats alone, in which ids over 2^24 would not be told apart.
-void vtkPointProjectionOpenGL::BindIds(vtkShaderProgram* program)
+void vtkPointProjectionOpenGL::BindIds(vtkShaderProgram* program, vtkOpenGLBufferObject* ids)
 {
   const GLint place = glGetAttribLocation(static_cast<GLuint>(program->GetHandle()), "pointId");
   if (place >= 0)
   {
-    this->Ids->Bind();
+    ids->Bind();
     glEnableVertexAttribArray(static_cast<GLuint>(place));
     glVertexAttribIPointer(static_cast<GLuint>(place), 1, GL_UNSIGNED_INT, 0, nullptr);
-    this->Ids->Release();
+    ids->Release();
   }
 }
 

@@ -18,6 +18,7 @@
 #include "vtkPointSurfaceView.h"
 #include "vtkSmartPointer.h"
 #include "vtkSurfaceTarget.h"
+#include "vtkThinnedPoints.h"
 #include "vtkTimeStamp.h"
 #include "vtkType.h"
 
@@ -28,6 +29,8 @@
 #include <string>
 #include <vector>
 
+class vtkDataArray;
+class vtkDrawablePoints;
 class vtkOpenGLBufferObject;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexArrayObject;
@@ -42,14 +45,14 @@ class vtkPointProjectionOpenGL
 public:
   /**
    * A cloud to draw: its projection and view; vertex buffers by the names vertexMC, normalMC,
-   * radiusMC, scalarColor, tcoord and colorTCoord. Thinned, the view's ranges are of groups, and
-   * its radii are those of what stands for them, see vtkPointThinning.
+   * radiusMC, scalarColor, tcoord and colorTCoord. Thinned, the view's ranges are those of
+   * GetDrawn(), and its radii are those of what stands for groups, see vtkPointThinning.
    */
   struct Cloud
   {
     vtkPointProjectionOpenGL* Projection = nullptr;
     vtkPointSurfaceView View;
-    int Thinning = 0;
+    int Thinning = 1;
     vtkOpenGLVertexBufferObjectGroup* Buffers = nullptr;
     double UniformRadius = 0.0; ///< 0: radiusMC has a radius for each point
     bool HaveNormals = true;    ///< else normalMC is not read: all points face the viewer
@@ -73,10 +76,23 @@ public:
   size_t UploadIds(const std::vector<unsigned int>& ids, vtkMTimeType time);
 
   /**
-   * The same for the places of the points that are drawn where so many are thinned: of all levels,
-   * so that nothing is sent while a camera moves.
+   * What Thin() takes: the points, which have to outlive its use; what the layer Color carries of
+   * them, nullptr for none; and how their coordinates are uploaded.
    */
-  size_t UploadThinned(size_t points, vtkMTimeType time);
+  void SetPoints(
+    const vtkDrawablePoints* points, vtkDataArray* colors, const vtkThinnedPoints::Frame& frame);
+
+  using Ranges = std::vector<std::array<vtkIdType, 2>>;
+
+  ///@{
+  /**
+   * What is drawn of the points in groups of a size, see vtkPointThinning: it has to be uploaded
+   * before it is drawn, is sent once and kept; returns the bytes that were sent. And the ranges of
+   * it which are ranges of points.
+   */
+  size_t UploadThinned(int size);
+  Ranges GetDrawn(int size, const Ranges& ranges) const;
+  ///@}
 
   /**
    * Draws the points of the views' ranges of clouds into `target`, which has the layers Shape and
@@ -110,11 +126,19 @@ private:
   vtkPointProjectionOpenGL(const vtkPointProjectionOpenGL&) = delete;
   void operator=(const vtkPointProjectionOpenGL&) = delete;
 
+  /// Thinned points, uploaded.
+  struct Uploaded
+  {
+    std::vector<unsigned int> Firsts; // of the groups
+    vtkNew<vtkOpenGLBufferObject> Ids, Positions, Normals, Radii, Colors;
+  };
+
   /// One way of drawing points: the attributes as its program takes them.
   struct Pass
   {
     vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
     vtkShaderProgram* BoundProgram = nullptr; // whose attributes VertexArray holds; not owned
+    int BoundThinning = 1;                    // and of which size of groups
     vtkTimeStamp BindTime;
   };
 
@@ -131,14 +155,17 @@ private:
     vtkOpenGLRenderWindow* window, Pass& pass, const Shaders& shaders, const Cloud& cloud);
   static void DrawRanges(Pass& pass, const Cloud& cloud);
   void BindAttributes(Pass& pass, vtkShaderProgram* program, const Cloud& cloud);
-  void BindIds(vtkShaderProgram* program);
+  static void BindThinned(Pass& pass, vtkShaderProgram* program, const Cloud& cloud);
+  static void BindIds(vtkShaderProgram* program, vtkOpenGLBufferObject* ids);
   static void SetUniforms(vtkShaderProgram* program, const Cloud& cloud);
 
   vtkNew<vtkOpenGLBufferObject> Ids;
   vtkMTimeType IdsTime = 0;
-  vtkNew<vtkOpenGLBufferObject> Thinned; // the places of the points of level 1, then 2, ...
-  vtkMTimeType ThinnedTime = 0;
-  std::vector<size_t> FirstThinned; // by level, where its places begin there
+  const vtkDrawablePoints* Points = nullptr;
+  vtkSmartPointer<vtkDataArray> Colors;
+  vtkThinnedPoints::Frame Frame;
+  std::map<int, Uploaded> Thinned; // by the size of groups
+  vtkTimeStamp PointsTime;
   Pass FirstPass;
   Pass SumPass;
   std::array<Pass, NumberOfUses> OtherPasses;

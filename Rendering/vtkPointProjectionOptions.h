@@ -19,8 +19,8 @@ struct vtkPointProjectionOptions
   /// How far behind the nearest point averaged ones may be at most, in its radii, where its plane
   /// falls by so much within the pixel. 1: by its radius.
   float LargestReach = 1.0f;
-  /// How many points are drawn; see vtkPointThinning.
-  int Thinning = 0;
+  /// The points of a group that are drawn as one; see vtkPointThinning.
+  int Thinning = 1;
   /// How far behind the nearest point the farthest one of a pixel may be, in eye units, where these
   /// are drawn.
   float DepthTolerance = 0.0f;

@@ -574,11 +574,14 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
   }
   this->VBOs->BuildAllVBOs(renderer);
 
+  vtkThinnedPoints::Frame frame; // of coordinates as they are uploaded
   vtkOpenGLVertexBufferObject* positions = this->VBOs->GetVBO("vertexMC");
   if (positions && positions->GetCoordShiftAndScaleEnabled())
   {
     const std::vector<double>& shift = positions->GetShift();
     const std::vector<double>& scale = positions->GetScale();
+    std::copy_n(shift.begin(), 3, frame.Origin.begin());
+    std::copy_n(scale.begin(), 3, frame.Scale.begin());
     this->VBOInverseTransform->Identity();
     this->VBOInverseTransform->Translate(shift[0], shift[1], shift[2]);
     this->VBOInverseTransform->Scale(1.0 / scale[0], 1.0 / scale[1], 1.0 / scale[2]);
@@ -587,11 +590,7 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
   const vtkSpatialOrder& order = points.GetOrder();
   vtkPointProjectionOpenGL& projection = this->Internals->Projection;
   this->LastFrameBytesUploaded += projection.UploadIds(order.GetIds(), order.GetTime());
-  if (this->ThinsPoints())
-  {
-    this->LastFrameBytesUploaded +=
-      projection.UploadThinned(order.GetIds().size(), order.GetTime());
-  }
+  projection.SetPoints(&points, colors ? colors : coordinates ? coordinates : tcoords, frame);
   this->VBOBuildTime.Modified();
 }
 
@@ -1252,22 +1251,23 @@ vtkDrawnClouds vtkPointSurfaceMapper::GetDrawnClouds(
   {
     vtkInternals& source = *member.Mapper->Internals;
     const int ownThinning = member.Mapper->ThinsPoints()
-      ? std::min(
-          thinning, vtkPointThinning::GetLargestLevel(source.Points.GetNumberOfDrawnPoints()))
-      : 0;
+      ? vtkPointThinning::GetSizeFor(source.Points.GetNumberOfDrawnPoints(), thinning)
+      : 1;
     vtkPointSurfaceView ownView = member.GetView(view);
     ownView.GrowRadii(vtkPointThinning::GetRadiusFactor(ownThinning));
     ownView.LeaveOutUnseen(source.Points.GetOrder(), reach * ownView.LargestRadius);
-    ownView.Ranges = vtkPointThinning::GetGroups(ownView.Ranges, ownThinning);
-    member.Mapper->LastFramePointsDrawn += ownView.GetNumberOfPoints();
     if (this->LastFrameBackend == CPU)
     {
-      source.ProjectionCPU.CopyRepresentatives(ownThinning);
+      ownView.Ranges = source.ProjectionCPU.Thin(ownThinning, ownView.Ranges);
+      member.Mapper->LastFramePointsDrawn += ownView.GetNumberOfPoints();
       clouds.CPU.push_back(
         { &source.ProjectionCPU, ownView, ownThinning, member.FirstId, member.Color });
       continue;
     }
     vtkPointProjectionOpenGL::Cloud cloud;
+    this->LastFrameBytesUploaded += source.Projection.UploadThinned(ownThinning);
+    ownView.Ranges = source.Projection.GetDrawn(ownThinning, ownView.Ranges);
+    member.Mapper->LastFramePointsDrawn += ownView.GetNumberOfPoints();
     cloud.Projection = &source.Projection;
     cloud.View = ownView;
     cloud.Thinning = ownThinning;

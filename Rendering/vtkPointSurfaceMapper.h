@@ -170,10 +170,11 @@ public:
   ///@{
   /**
    * Bytes that the last frame sent to OpenGL: of the cloud, that is of its coordinates, normals,
-   * radii, colours, ids to draw, places of thinned points and colour table; and, on the CPU back
-   * end, of the surface buffer. The first is 0 unless the data or its colours have changed; on the
-   * CPU back end, where the cloud stays in memory, it is a few bytes once. The second is 0 when a
-   * surface buffer of an earlier frame still held.
+   * radii, colours, ids to draw, means of thinned points and colour table; and, on the CPU back end,
+   * of the surface buffer. The first is 0 unless the data or its colours have changed, or points
+   * are thinned to groups of another size than ever before (vtkSurfaceSplatMapper::SetThinPoints);
+   * on the CPU back end, where the cloud stays in memory, it is a few bytes once. The second is 0
+   * when a surface buffer of an earlier frame still held.
    */
   vtkGetMacro(LastFrameBytesUploaded, vtkIdType);
   vtkGetMacro(LastFrameSurfaceBytesUploaded, vtkIdType);
@@ -345,7 +346,7 @@ protected:
    * rest as reconstruction.
    */
   vtkDrawnClouds GetDrawnClouds(
-    const vtkPointSurfaceView& view, int thinning = 0, double reach = 0.0);
+    const vtkPointSurfaceView& view, int thinning = 1, double reach = 0.0);
   const std::vector<vtkJointSurfaceMember>& GetMembers() const;
   void BeginProjection();
   void EndProjection();

@@ -5,53 +5,39 @@
 
 #include <algorithm>
 
-int vtkPointThinning::GetLevel(const vtkPointSurfaceView& view, double largestRadius)
+namespace
+{
+/// The next larger of 1, 2, 3, 4, 6, 8, 12, ...
+int GetNextSize(int size)
+{
+  const bool isPowerOfTwo = (size & (size - 1)) == 0;
+  return size == 1 ? 2 : isPowerOfTwo ? size / 2 * 3 : size / 3 * 4;
+}
+}
+
+int vtkPointThinning::GetGroupSize(
+  const vtkPointSurfaceView& view, double largestRadius, vtkIdType fewest)
 {
   const auto& m = view.VCDC;
   const double nearestW = m[15] - m[11] * view.DepthRange[0];
   if (nearestW <= 0.0)
   {
-    return 0; // some of the cloud is beside or behind the eye
+    return 1; // some of the cloud is beside or behind the eye
   }
   const double nearest = 0.5 * view.MeanRadius * view.Size[1] * std::abs(m[5]) / nearestW;
-  double radius = std::max(view.TypicalRadius, 0.5 * nearest);
-  const int largest = GetLargestLevel(view.GetNumberOfPoints());
-  int level = 0;
-  while (level < largest && radius * std::sqrt(2.0) <= largestRadius)
+  const double radius = std::max(view.TypicalRadius, 0.5 * nearest);
+  int size = 1;
+  for (int next = 2;
+       view.GetNumberOfPoints() / next >= fewest && radius * GetRadiusFactor(next) <= largestRadius;
+       next = GetNextSize(next))
   {
-    radius *= std::sqrt(2.0);
-    ++level;
+    size = next;
   }
-  return level;
+  return size;
 }
 
-int vtkPointThinning::GetLargestLevel(vtkIdType points)
+int vtkPointThinning::GetSizeFor(vtkIdType points, int size)
 {
-  constexpr vtkIdType Fewest = 1000;
-  int level = 0;
-  while (points >> (level + 1) >= Fewest)
-  {
-    ++level;
-  }
-  return level;
-}
-
-std::vector<std::array<vtkIdType, 2>> vtkPointThinning::GetGroups(
-  const std::vector<std::array<vtkIdType, 2>>& ranges, int level)
-{
-  const auto getFirst = [level](vtkIdType point) // whose point is not before that one
-  {
-    const vtkIdType group = point >> level;
-    return GetPoint(static_cast<std::uint32_t>(group), level) < point ? group + 1 : group;
-  };
-  std::vector<std::array<vtkIdType, 2>> groups;
-  for (const auto& range : ranges)
-  {
-    const std::array<vtkIdType, 2> own = { getFirst(range[0]), getFirst(range[1]) };
-    if (own[0] < own[1])
-    {
-      groups.push_back(own);
-    }
-  }
-  return groups;
+  const vtkIdType largest = std::max<vtkIdType>(points / FewestGroups, 1);
+  return static_cast<int>(std::min<vtkIdType>(size, largest));
 }

@@ -93,14 +93,10 @@ vtkPointProjectionOptions vtkPullPushMapper::GetProjectionOptions(
     // where densities vary, the sparse parts stay whole; and little is saved of small clouds
     constexpr vtkIdType Fewest = 20000;
     // A pixel shows its own points alone, which tell outlines too: it flickers where these are few.
-    constexpr double LargestRadius = 0.9;
+    constexpr double LargestRadius = 0.85;
     vtkPointSurfaceView sparse = view;
     sparse.GrowRadii(view.LargestRadius / view.MeanRadius);
-    options.Thinning = vtkPointThinning::GetLevel(sparse, LargestRadius);
-    while (options.Thinning > 0 && view.GetNumberOfPoints() >> options.Thinning < Fewest)
-    {
-      --options.Thinning;
-    }
+    options.Thinning = vtkPointThinning::GetGroupSize(sparse, LargestRadius, Fewest);
   }
   vtkPointSurfaceView drawn = view;
   drawn.GrowRadii(vtkPointThinning::GetRadiusFactor(options.Thinning));

@@ -141,11 +141,10 @@ public:
 
   ///@{
   /**
-   * Where projected radii are so small that pixels cannot tell the points apart, draw one of 2,
-   * 4, 8, ... points that follow each other, chosen at random, with a radius that is larger to
-   * match: up to 0.9 pixels; in the paper all points are drawn. A part of a cloud
-   * (vtkGhostPointsGenerator) is not thinned: other processes would choose other points. Default
-   * on.
+   * Where projected radii are so small that pixels cannot tell the points apart, draw the means of
+   * 2, 3, 4, 6, 8, 12, ... points that follow each other in space, with radii that are larger to
+   * match: up to 0.85 pixels; in the paper all points are drawn. A part of a cloud
+   * (vtkGhostPointsGenerator) is not thinned: other processes would make other groups. Default on.
    */
   vtkSetMacro(ThinPoints, bool);
   vtkGetMacro(ThinPoints, bool);

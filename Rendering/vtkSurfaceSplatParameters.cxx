@@ -12,8 +12,8 @@ vtkSurfaceSplatParameters::vtkSurfaceSplatParameters(
 {
   if (options.ThinPoints)
   {
-    constexpr double LargestRadius = 1.6;
-    this->Thinning = vtkPointThinning::GetLevel(view, LargestRadius);
+    constexpr double LargestRadius = 1.15;
+    this->Thinning = vtkPointThinning::GetGroupSize(view, LargestRadius);
   }
 }
 

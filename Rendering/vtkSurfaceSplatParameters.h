@@ -42,7 +42,7 @@ struct vtkSurfaceSplatParameters
 
   vtkPointSurfaceView View;
   vtkSurfaceSplatOptions Options;
-  int Thinning = 0; ///< see vtkPointThinning
+  int Thinning = 1; ///< the points of a group, see vtkPointThinning
 
   /// Of a pixel, in eye units, times w.
   float GetPixelSize() const;
