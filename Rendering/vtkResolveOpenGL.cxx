@@ -8,16 +8,19 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
+#include <string>
+
 vtkResolveOpenGL::vtkResolveOpenGL() = default;
 vtkResolveOpenGL::~vtkResolveOpenGL() = default;
 
 void vtkResolveOpenGL::Run(vtkOpenGLRenderWindow* window, const vtkPointSurfaceView& view,
   vtkSurfaceTarget& samples, vtkSurfaceTarget& surface, bool lesser)
 {
-  std::unique_ptr<vtkScreenPass>& pass = this->Passes[surface.GetLayers()];
+  std::unique_ptr<vtkScreenPass>& pass = this->Passes[{ surface.GetLayers(), view.Supersampling }];
   if (!pass)
   {
-    pass.reset(new vtkScreenPass("//VTK::System::Dec\n" +
+    pass.reset(new vtkScreenPass("//VTK::System::Dec\n#define SAMPLES " +
+      std::to_string(view.Supersampling) + "\n" +
       vtkSurfaceTarget::GetInputDeclarations(samples.GetLayers(), "in") +
       vtkSurfaceTarget::GetOutputDeclarations(surface.GetLayers()) + vtkResolveFS));
   }
@@ -32,7 +35,6 @@ void vtkResolveOpenGL::Run(vtkOpenGLRenderWindow* window, const vtkPointSurfaceV
   const int end[2] = { r[0] + r[2], r[1] + r[3] };
   program->SetUniform2i("begin", r.data());
   program->SetUniform2i("end", end);
-  program->SetUniformi("samples", view.Supersampling);
   program->SetUniformf("depthStep", static_cast<float>(2.0 * view.MeanRadius));
   program->SetUniformi("isLesser", lesser);
   surface.BindForWriting(window);

@@ -14,6 +14,7 @@
 
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -40,7 +41,9 @@ private:
   vtkResolveOpenGL(const vtkResolveOpenGL&) = delete;
   void operator=(const vtkResolveOpenGL&) = delete;
 
-  std::map<std::vector<vtkSurfaceTarget::Layer>, std::unique_ptr<vtkScreenPass>> Passes;
+  using Kind = std::pair<std::vector<vtkSurfaceTarget::Layer>, int>; // layers, supersampling
+
+  std::map<Kind, std::unique_ptr<vtkScreenPass>> Passes;
 };
 
 #endif

@@ -4,7 +4,7 @@
 // surfaces where a part of the pixel is empty: there the other one is left out.
 uniform ivec2 begin; // samples outside of [begin, end) are empty
 uniform ivec2 end;
-uniform int samples; // along a side of a pixel, up to 4
+const int samples = SAMPLES; // along a side of a pixel, known when this is compiled: software makes loops slow
 uniform float depthStep; // what differs by less is one surface
 uniform int isLesser; // whether the surface with less samples is made
 
@@ -12,7 +12,7 @@ void main()
 {
   ivec2 first = samples * ivec2(gl_FragCoord.xy);
   int count = samples * samples;
-  vec4 surfaces[16];
+  vec4 surfaces[SAMPLES * SAMPLES];
   float nearest = 3.4e38;
   float farthest = 0.0;
   float covered = 0.0;
