@@ -15,6 +15,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace
 {
@@ -57,25 +58,45 @@ public:
   void operator()(Array* positions) const
   {
     const auto tuples = vtk::DataArrayTupleRange<3>(positions);
-    const auto& chunks = this->Order.GetChunks();
-    std::vector<std::vector<Group>> groups(chunks.size());
-    vtkSMPTools::For(0, static_cast<vtkIdType>(chunks.size()),
-      [&](vtkIdType begin, vtkIdType end)
+    // groups are made twice, which takes less than to keep all of them until they are counted
+    std::vector<size_t> begins(this->Order.GetChunks().size() + 1, 0);
+    this->ForGroups(tuples,
+      [&](size_t chunk, const std::vector<Group>& groups) { begins[chunk + 1] = groups.size(); });
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
+    this->Allocate(begins.back());
+    this->ForGroups(tuples,
+      [&](size_t chunk, const std::vector<Group>& groups)
       {
-        for (vtkIdType i = begin; i < end; ++i)
+        for (size_t i = 0; i < groups.size(); ++i)
         {
-          groups[i] = this->MakeGroups(tuples, chunks[i]);
+          this->WriteMean(groups[i], begins[chunk] + i);
         }
       });
-    this->Write(groups);
   }
 
 private:
-  template <typename Tuples>
-  std::vector<Group> MakeGroups(const Tuples& tuples, const vtkSpatialOrder::Chunk& chunk) const
+  /// Calls a function with each chunk's number and groups.
+  template <typename Tuples, typename Function>
+  void ForGroups(const Tuples& tuples, const Function& function) const
   {
-    std::vector<Group> groups;
-    groups.reserve(chunk.End - chunk.First);
+    const auto& chunks = this->Order.GetChunks();
+    vtkSMPTools::For(0, static_cast<vtkIdType>(chunks.size()),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        std::vector<Group> groups;
+        for (vtkIdType chunk = begin; chunk < end; ++chunk)
+        {
+          this->MakeGroups(tuples, chunks[chunk], groups);
+          function(static_cast<size_t>(chunk), groups);
+        }
+      });
+  }
+
+  template <typename Tuples>
+  void MakeGroups(
+    const Tuples& tuples, const vtkSpatialOrder::Chunk& chunk, std::vector<Group>& groups) const
+  {
+    groups.clear();
     for (vtkIdType point = chunk.First; point < chunk.End; ++point)
     {
       size_t i = groups.size();
@@ -91,7 +112,6 @@ private:
       }
       this->Add(tuples, point, groups[i - 1]);
     }
-    return groups;
   }
 
   template <typename Tuples>
@@ -143,27 +163,6 @@ private:
     {
       group.Color[k] += this->ByteColors->GetTypedComponent(point, k);
     }
-  }
-
-  void Write(const std::vector<std::vector<Group>>& groups) const
-  {
-    std::vector<size_t> begins(groups.size() + 1, 0);
-    for (size_t chunk = 0; chunk < groups.size(); ++chunk)
-    {
-      begins[chunk + 1] = begins[chunk] + groups[chunk].size();
-    }
-    this->Allocate(begins.back());
-    vtkSMPTools::For(0, static_cast<vtkIdType>(groups.size()),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType chunk = begin; chunk < end; ++chunk)
-        {
-          for (size_t i = 0; i < groups[chunk].size(); ++i)
-          {
-            this->WriteMean(groups[chunk][i], begins[chunk] + i);
-          }
-        }
-      });
   }
 
   void Allocate(size_t count) const
