@@ -338,7 +338,6 @@ void vtkPointProjectionCPU::SetPoints(const vtkDrawablePoints* points, vtkDataAr
     this->Positions = vtkSmartPointer<vtkDoubleArray>::New();
     this->Positions->DeepCopy(cloud->GetPoints()->GetData());
   }
-  this->Thinned.clear();
   const bool inFloats = this->Positions->GetDataType() == VTK_FLOAT;
   void* positions = this->Positions->GetVoidPointer(0);
   Arrays& values = this->Values;
@@ -364,6 +363,18 @@ void vtkPointProjectionCPU::SetPoints(const vtkDrawablePoints* points, vtkDataAr
     // a float, so that the difference to a float is the same in single and double precision
     values.Origin[k] = static_cast<float>(0.5 * (bounds[2 * k] + bounds[2 * k + 1]));
   }
+  const vtkThinnedPoints::Source source =
+    vtkThinnedPoints::GetSource(*points, colors, this->GetFrame());
+  if (source != this->ThinnedSource)
+  {
+    this->ThinnedSource = source;
+    this->Thinned.clear();
+  }
+}
+
+vtkThinnedPoints::Frame vtkPointProjectionCPU::GetFrame() const
+{
+  return { this->Values.Origin, { 1.0, 1.0, 1.0 } };
 }
 
 vtkPointProjectionCPU::Transform vtkPointProjectionCPU::GetTransform(
@@ -505,13 +516,8 @@ vtkPointProjectionCPU::Ranges vtkPointProjectionCPU::Thin(int size, const Ranges
   {
     return ranges;
   }
-  auto thinned = this->Thinned.find(size);
-  if (thinned == this->Thinned.end())
-  {
-    const vtkThinnedPoints::Frame frame = { this->Values.Origin, { 1.0, 1.0, 1.0 } };
-    const vtkThinnedPoints made(*this->Points, this->Colors, frame, size);
-    thinned = this->Thinned.emplace(size, made).first;
-  }
+  const auto thinned =
+    this->Thinned.try_emplace(size, *this->Points, this->Colors, this->GetFrame(), size).first;
   return vtkThinnedPoints::GetGroups(thinned->second.Firsts, ranges);
 }
 

@@ -130,6 +130,7 @@ private:
     std::array<float, 4> GetColor(size_t place) const;
   };
 
+  vtkThinnedPoints::Frame GetFrame() const; // of thinned points
   Arrays GetArrays(int thinning) const;
   Transform GetTransform(const vtkPointSurfaceView& view) const;
   static std::vector<Part> MakeParts(const std::vector<Cloud>& clouds);
@@ -155,6 +156,7 @@ private:
   Arrays Values;
   vtkMTimeType ColorsTime = 0;
   std::map<int, vtkThinnedPoints> Thinned; // by the size of groups
+  vtkThinnedPoints::Source ThinnedSource;
 
   int TileColumns = 0;
   std::vector<Site> Sites;                        // of all blocks of points, in their order

@@ -71,8 +71,13 @@ void vtkPointProjectionOpenGL::SetPoints(
   this->Points = points;
   this->Colors = colors;
   this->Frame = frame;
-  this->Thinned.clear();
-  this->PointsTime.Modified();
+  const vtkThinnedPoints::Source source = vtkThinnedPoints::GetSource(*points, colors, frame);
+  if (source != this->ThinnedSource)
+  {
+    this->ThinnedSource = source;
+    this->Thinned.clear();
+    this->PointsTime.Modified();
+  }
 }
 
 size_t vtkPointProjectionOpenGL::UploadThinned(int size)
@@ -367,7 +372,7 @@ void vtkPointProjectionOpenGL::BindThinned(
   const auto bind = [&](vtkOpenGLBufferObject* buffer, const char* name, int type, int components)
   {
     const size_t size = components * (type == VTK_FLOAT ? sizeof(float) : 1);
-    if (buffer->GetHandle() != 0)
+    if (buffer->GetHandle() != 0 && program->IsAttributeUsed(name))
     {
       pass.VertexArray->AddAttributeArray(
         program, buffer, name, 0, size, type, components, type != VTK_FLOAT);

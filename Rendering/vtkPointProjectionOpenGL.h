@@ -76,8 +76,8 @@ public:
   size_t UploadIds(const std::vector<unsigned int>& ids, vtkMTimeType time);
 
   /**
-   * What Thin() takes: the points, which have to outlive its use; what the layer Color carries of
-   * them, nullptr for none; and how their coordinates are uploaded.
+   * What UploadThinned() takes: the points, which have to outlive its use; what the layer Color
+   * carries of them, nullptr for none; and how their coordinates are uploaded.
    */
   void SetPoints(
     const vtkDrawablePoints* points, vtkDataArray* colors, const vtkThinnedPoints::Frame& frame);
@@ -165,6 +165,7 @@ private:
   vtkSmartPointer<vtkDataArray> Colors;
   vtkThinnedPoints::Frame Frame;
   std::map<int, Uploaded> Thinned; // by the size of groups
+  vtkThinnedPoints::Source ThinnedSource;
   vtkTimeStamp PointsTime;
   Pass FirstPass;
   Pass SumPass;

@@ -220,6 +220,23 @@ private:
 };
 }
 
+vtkThinnedPoints::Source vtkThinnedPoints::GetSource(
+  const vtkDrawablePoints& points, vtkDataArray* colors, const Frame& frame)
+{
+  Source source;
+  for (vtkDataArray* array : { points.GetCloud()->GetPoints()->GetData(),
+         points.GetCloud()->GetPointData()->GetNormals(),
+         static_cast<vtkDataArray*>(points.GetRadii()), colors })
+  {
+    source.push_back(array ? static_cast<double>(array->GetMTime()) : 0.0); // times are unique
+  }
+  source.push_back(static_cast<double>(points.GetOrder().GetTime()));
+  source.push_back(points.GetUniformRadius());
+  source.insert(source.end(), frame.Origin.begin(), frame.Origin.end());
+  source.insert(source.end(), frame.Scale.begin(), frame.Scale.end());
+  return source;
+}
+
 vtkThinnedPoints::vtkThinnedPoints(
   const vtkDrawablePoints& points, vtkDataArray* colors, const Frame& frame, int size)
 {

@@ -31,6 +31,12 @@ struct vtkThinnedPoints
     std::array<double, 3> Scale{ 1.0, 1.0, 1.0 };
   };
 
+  /// When the arrays that they are made of were last changed, and what else they depend on: what is
+  /// made of equal sources is equal.
+  using Source = std::vector<double>;
+  static Source GetSource(
+    const vtkDrawablePoints& points, vtkDataArray* colors, const Frame& frame);
+
   /// Of the points, in their order of space; `colors`, nullptr for none, has a tuple for each of
   /// them: unsigned chars, or texture coordinates of any other type.
   vtkThinnedPoints(

@@ -225,6 +225,9 @@ void CheckThinning(const MapperClass& mapperClass, int backend)
   camera->Azimuth(10.0);
   scene.Sends(0, "groups that were drawn before");
   scene.MakesSurface(true, "groups that were drawn before");
+  scene.Mapper->Modified();
+  scene.Sends(0, "groups of points that stay as they are");
+  scene.MakesSurface(true, "groups of points that stay as they are");
   vtkPolyData::SafeDownCast(scene.Mapper->GetInput())->GetPoints()->Modified();
   scene.Sends(ManyPoints * Vector + scene.GetBytes(drawn), "points that stay in their order");
 }

@@ -300,7 +300,7 @@ def test_thinning():
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
-def test_thinned_points_are_means(backend):
+def test_thinned_points_are_means(backend, capfd):
     """Normals that err by 20 degrees and colours that are black or white: with groups of several points the picture is
     nearly as even as with all of them."""
     random = np.random.default_rng(3)
@@ -325,6 +325,7 @@ def test_thinned_points_are_means(backend):
         inner = np.s_[30:70, 30:70]
         spread[thinned] = layers["Normals"][inner][..., :2].std(), layers["Colors"][inner][..., 0].std()
         assert layers["Colors"][inner][..., 0].mean() == pytest.approx(0.5, abs=0.02)
+    assert "ERR|" not in capfd.readouterr().err
     print(f"spread of normals, colours {spread[True]}, {spread[False]} of all points")
     # one of so many points alone would spread as many times as the root of their number
     assert np.all(np.array(spread[True]) < 1.6 * np.array(spread[False]))
