@@ -49,11 +49,6 @@ public:
   const std::vector<Chunk>& GetChunks() const { return this->Chunks; }
 
   /**
-   * Where parts begin in the order, as told to Update().
-   */
-  const std::vector<vtkIdType>& GetStarts() const { return this->Starts; }
-
-  /**
    * A new array with a tuple for each ordered point, from one with a tuple for each id.
    */
   vtkSmartPointer<vtkDataArray> Arrange(vtkDataArray* array) const;
