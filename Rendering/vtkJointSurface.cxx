@@ -208,6 +208,7 @@ vtkPointSurfaceView vtkJointSurface::GetView() const
   joint.Size = widest->View.Size;
   joint.VCDC = widest->View.VCDC;
   joint.Rim = widest->View.Rim;
+  joint.Ranges.clear(); // to be counted: of each cloud's own places
   int begin[2] = { joint.Size[0], joint.Size[1] };
   int end[2] = { 0, 0 };
   double points = 0.0;
@@ -229,6 +230,7 @@ vtkPointSurfaceView vtkJointSurface::GetView() const
     {
       joint.LargestDisc[k] = std::max(joint.LargestDisc[k], view.LargestDisc[k]);
     }
+    joint.Ranges.insert(joint.Ranges.end(), view.Ranges.begin(), view.Ranges.end());
     const auto count = static_cast<double>(view.GetNumberOfPoints());
     points += count;
     radii += count * view.MeanRadius;

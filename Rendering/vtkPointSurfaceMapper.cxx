@@ -1250,10 +1250,11 @@ vtkDrawnClouds vtkPointSurfaceMapper::GetDrawnClouds(
   for (const vtkJointSurface::Member& member : this->Internals->Projected)
   {
     vtkInternals& source = *member.Mapper->Internals;
-    const int ownThinning = member.Mapper->ThinsPoints()
-      ? vtkPointThinning::GetSizeFor(source.Points.GetNumberOfDrawnPoints(), thinning)
-      : 1;
     vtkPointSurfaceView ownView = member.GetView(view);
+    const int ownThinning = member.Mapper->ThinsPoints()
+      ? vtkPointThinning::GetSizeFor(
+          ownView, source.Points.GetNumberOfDrawnPoints(), view, thinning)
+      : 1;
     ownView.GrowRadii(vtkPointThinning::GetRadiusFactor(ownThinning));
     ownView.LeaveOutUnseen(source.Points.GetOrder(), reach * ownView.LargestRadius);
     if (this->LastFrameBackend == CPU)
@@ -1265,7 +1266,7 @@ vtkDrawnClouds vtkPointSurfaceMapper::GetDrawnClouds(
       continue;
     }
     vtkPointProjectionOpenGL::Cloud cloud;
-    this->LastFrameBytesUploaded += source.Projection.UploadThinned(ownThinning);
+    member.Mapper->LastFrameBytesUploaded += source.Projection.UploadThinned(ownThinning);
     ownView.Ranges = source.Projection.GetDrawn(ownThinning, ownView.Ranges);
     member.Mapper->LastFramePointsDrawn += ownView.GetNumberOfPoints();
     cloud.Projection = &source.Projection;

@@ -13,6 +13,19 @@ int GetNextSize(int size)
   const bool isPowerOfTwo = (size & (size - 1)) == 0;
   return size == 1 ? 2 : isPowerOfTwo ? size / 2 * 3 : size / 3 * 4;
 }
+
+/// The largest one that leaves enough groups, with radii that are not too large.
+int GetLargestSize(vtkIdType points, vtkIdType fewest, double radius, double largestRadius)
+{
+  int size = 1;
+  for (int next = 2;
+       points / next >= fewest && radius * vtkPointThinning::GetRadiusFactor(next) <= largestRadius;
+       next = GetNextSize(next))
+  {
+    size = next;
+  }
+  return size;
+}
 }
 
 int vtkPointThinning::GetGroupSize(
@@ -26,18 +39,12 @@ int vtkPointThinning::GetGroupSize(
   }
   const double nearest = 0.5 * view.MeanRadius * view.Size[1] * std::abs(m[5]) / nearestW;
   const double radius = std::max(view.TypicalRadius, 0.5 * nearest);
-  int size = 1;
-  for (int next = 2;
-       view.GetNumberOfPoints() / next >= fewest && radius * GetRadiusFactor(next) <= largestRadius;
-       next = GetNextSize(next))
-  {
-    size = next;
-  }
-  return size;
+  return GetLargestSize(view.GetNumberOfPoints(), fewest, radius, largestRadius);
 }
 
-int vtkPointThinning::GetSizeFor(vtkIdType points, int size)
+int vtkPointThinning::GetSizeFor(
+  const vtkPointSurfaceView& own, vtkIdType points, const vtkPointSurfaceView& joint, int size)
 {
-  const vtkIdType largest = std::max<vtkIdType>(points / FewestGroups, 1);
-  return static_cast<int>(std::min<vtkIdType>(size, largest));
+  const double largestRadius = joint.TypicalRadius * GetRadiusFactor(size);
+  return std::min(size, GetLargestSize(points, FewestGroups, own.TypicalRadius, largestRadius));
 }

@@ -29,8 +29,11 @@ constexpr vtkIdType FewestGroups = 1000;
 int GetGroupSize(
   const vtkPointSurfaceView& view, double largestRadius, vtkIdType fewest = FewestGroups);
 
-/// The same size, or the largest one that leaves enough groups of so many points.
-int GetSizeFor(vtkIdType points, int size);
+/// For a cloud of so many points that is drawn jointly with others, which are thinned to groups of
+/// a size: the same, or the largest one that leaves enough groups of it, with discs that are no
+/// larger than those of all on average. Alone it is the same.
+int GetSizeFor(
+  const vtkPointSurfaceView& own, vtkIdType points, const vtkPointSurfaceView& joint, int size);
 
 /// What the radius of the mean of a group is larger by: less than the root of the size, as means
 /// lie more evenly than points at random do.

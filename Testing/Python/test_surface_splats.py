@@ -6,13 +6,24 @@ import sys
 
 import numpy as np
 import pytest
-from scenes import Scene, array, assert_baseline, polydata, torus, torus_cloud, torus_mesh
+from scenes import (
+    Scene,
+    array,
+    assert_baseline,
+    even_directions,
+    polydata,
+    spacing_on_sphere,
+    torus,
+    torus_cloud,
+    torus_mesh,
+)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPlane
-from vtkmodules.vtkRenderingCore import vtkProperty
+from vtkmodules.vtkRenderingCore import vtkActor, vtkProperty, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass
 
-from pointsurface import metrics, truth, vtkPullPushMapper, vtkSurfaceSplatMapper
+from pointsurface import metrics, truth, vtkPointSurfacePass, vtkPullPushMapper, vtkSurfaceSplatMapper
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Reference"))
 from surface_splats import Options, draw_surface_splats  # noqa: E402
@@ -357,9 +368,47 @@ def test_thinning_leaves_out_no_surface(backend, culling):
         assert np.allclose(layers["Depth"][inner], distance - 1e-4, atol=2e-5)
 
 
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_clouds_of_a_joint_surface_are_thinned_by_their_own_density(backend):
+    """A sparse one, whose points pixels tell apart, is drawn whole beside a dense one, as it is alone."""
+    window, renderer = vtkRenderWindow(), vtkRenderer()
+    window.SetOffScreenRendering(True)
+    window.SetSize(320, 160)
+    window.AddRenderer(renderer)
+    mappers, buffers = [], []
+    for count, x in ((5000, 0), (300_000, 2.2)):
+        directions = even_directions(count)
+        cloud = polydata(directions + (x, 0, 0), directions)
+        cloud.GetPointData().AddArray(array(np.full(count, 1.5 * spacing_on_sphere(count)), "radius"))
+        mappers.append(vtkSurfaceSplatMapper())
+        mappers[-1].SetBackend(getattr(vtkSurfaceSplatMapper, backend))
+        mappers[-1].SetInputData(cloud)
+        actor = vtkActor()
+        actor.SetMapper(mappers[-1])
+        renderer.AddActor(actor)
+    sparse, dense = mappers
+    renderer.ResetCamera()
+    for joint in (False, True):
+        if joint:
+            steps, surfaces = vtkRenderStepsPass(), vtkPointSurfacePass()
+            steps.SetOpaquePass(surfaces)
+            renderer.SetPass(steps)
+        window.Render()
+        assert sparse.GetLastFramePointsDrawn() == 5000
+        assert 1000 < dense.GetLastFramePointsDrawn() < 50_000
+        buffers.append(surface(sparse)["Normals"][:, :150])
+    assert surfaces.GetLastFrameJointClouds() == 2
+    assert np.allclose(*buffers, atol=1e-5)
+    if backend == "OpenGL":
+        dense.SetRadiusScale(0.5)  # larger groups
+        window.Render()
+        assert dense.GetLastFrameBytesUploaded() == 32 * dense.GetLastFramePointsDrawn(), "of the cloud that they are of"
+        assert sparse.GetLastFrameBytesUploaded() == 0
+
+
 @pytest.mark.parametrize("kind", [np.float32, np.float64])
 def test_copies_of_thinned_points(kind):
-    """They are of the blocks that are shown, by any level of thinning, and made anew of points that move."""
+    """They are of the blocks that are shown, by any size of groups, and made anew of points that move."""
     data = spheres(150_001)
     arrays = vtk_to_numpy(data.GetPoints().GetData()).astype(kind), values(data, "Normals"), values(data, "radius")
     tree = vtkMultiBlockDataSet()
