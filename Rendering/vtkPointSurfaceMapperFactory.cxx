@@ -105,6 +105,10 @@ void AppendNoise(vtkPointSet* set, vtkIdType step, std::vector<double>& noise)
 {
   const vtkDistinctPoints distinct(set);
   vtkPolyData* cloud = distinct.GetCloud();
+  if (cloud->GetNumberOfPoints() == 0)
+  {
+    return; // none is finite, and the locator would tell an error
+  }
   vtkNew<vtkStaticPointLocator> locator;
   locator->SetDataSet(cloud);
   locator->BuildLocator();

@@ -39,8 +39,9 @@ float psCover(float alpha)
   covered = psIsLesser != 0 ? covered / (1.0 - alpha + covered) : covered;
   if (psCoverSteps > 0 && covered < 1.0)
   {
-    // the nearest number of samples, and a little less: a little more may be taken for the next number
-    covered = (floor(covered * float(psCoverSteps) + 0.5) - 0.25) / float(psCoverSteps);
+    // the nearest number of samples, of two that are as near the larger one, whatever rounding errors there are; and a
+    // little less: a little more may be taken for the next number
+    covered = (floor(covered * float(psCoverSteps) + 0.501) - 0.25) / float(psCoverSteps);
   }
   return covered;
 }

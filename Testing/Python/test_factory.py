@@ -119,6 +119,7 @@ def tree(*blocks):
         (twice_and_not_finite, "surface-splats", "pull-push"),
         (lines, "direct", "direct"),
         (lambda: points_alone([[1, 2, 3]]), "direct", "direct"),
+        (lambda: points_alone(np.full((5, 3), np.nan)), "direct", "direct"),
         (lambda: bare(radii=(0.01, 0.45)), "surface-splats", "pull-push"),
         (lambda: bare(radii=(0.01, 0.55)), "pull-push", "pull-push"),
         (lambda: bare(noise=1, radii=(0.01, 0.09)), "direct", "direct"),
@@ -134,11 +135,12 @@ def tree(*blocks):
         (lambda: None, "direct", "direct"),
     ],
 )
-def test_rules(make, on_cpu, on_opengl, backend):
+def test_rules(make, on_cpu, on_opengl, backend, capfd):
     mapper = vtkPointSurfaceMapperFactory.NewMapper(make(), backend)
     assert mapper.IsA(METHODS[on_cpu if backend == CPU else on_opengl].__name__), mapper.GetClassName()
     assert mapper.GetBackend() == backend
     assert mapper.GetReferenceCount() == 1
+    assert "ERR|" not in capfd.readouterr().err
 
 
 def test_chosen():
