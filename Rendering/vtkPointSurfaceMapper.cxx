@@ -504,6 +504,12 @@ void vtkPointSurfaceMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* 
   // a pixel has room for one of them
   vtkDataArray* tcoords =
     colors || coordinates ? nullptr : this->RequireTuples(givenTCoords, "texture coordinates");
+  if (vtkArrayDownCast<vtkUnsignedCharArray>(tcoords)) // which would be taken for colours
+  {
+    vtkNew<vtkFloatArray> floats;
+    floats->DeepCopy(tcoords);
+    tcoords = this->Internals->StandIns["texture coordinates"].Keep(floats);
+  }
   if (colors && this->Internals->TextureAtPoints)
   {
     vtkSmartPointer<vtkDataArray> textured = vtkPointTexture::Multiply(

@@ -369,6 +369,20 @@ def test_thinning_leaves_out_no_surface(backend, culling):
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
+@pytest.mark.parametrize("thinned", [False, True])
+def test_texture_coordinates_in_bytes_are_no_colours(backend, thinned):
+    cloud = torus_cloud(100_000)
+    cloud.GetPointData().SetTCoords(array(np.tile((1, 2), (100_000, 1)), "coordinates", np.uint8))
+    scene = Scene(vtkSurfaceSplatMapper, cloud, (60, 60))
+    scene.mapper.SetBackend(getattr(vtkSurfaceSplatMapper, backend))
+    scene.mapper.SetThinPoints(thinned)
+    scene.window.Render()
+    assert (scene.mapper.GetLastFramePointsDrawn() < 50_000) == thinned
+    layers = surface(scene.mapper)
+    assert np.allclose(layers["Colors"][layers["Depth"] > 0][:, :2], (1, 2), atol=1e-4)
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
 def test_clouds_of_a_joint_surface_are_thinned_by_their_own_density(backend):
     """A sparse one, whose points pixels tell apart, is drawn whole beside a dense one, as it is alone."""
     window, renderer = vtkRenderWindow(), vtkRenderer()
