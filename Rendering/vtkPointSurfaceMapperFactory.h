@@ -22,8 +22,8 @@
  * Noisy: where of 400 points more than a tenth have neighbours that are off the quadric through
  * them by more than 0.35 of their mean spacing, root of the weighted mean square. Evenly spread
  * noise is found at about 0.3 spacings (standard deviation, along the normal), thin parts and
- * details that are as fine as the spacing, too; what lies on lines counts as noisy. Looking takes a
- * tenth of a second at most.
+ * details that are as fine as the spacing, too; what lies on lines counts as noisy. Looking takes
+ * some tenths of a second at most.
  *
  * Densities that vary: where an array "radius" says that the largest is over 10 times (rule 2) or
  * over 50 times (rule 3) the smallest, a thousandth of the points at either end left out, it is
