@@ -39,7 +39,7 @@ int GetSizeFor(
 /// lie more evenly than points at random do.
 inline double GetRadiusFactor(int size)
 {
-  return 1.0 + 0.6 * (std::sqrt(static_cast<double>(size)) - 1.0);
+  return 1.0 + 0.4 * (std::sqrt(static_cast<double>(size)) - 1.0);
 }
 }
 

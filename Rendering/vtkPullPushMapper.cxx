@@ -93,7 +93,7 @@ vtkPointProjectionOptions vtkPullPushMapper::GetProjectionOptions(
     // where densities vary, the sparse parts stay whole; and little is saved of small clouds
     constexpr vtkIdType Fewest = 20000;
     // A pixel shows its own points alone, which tell outlines too: it flickers where these are few.
-    constexpr double LargestRadius = 0.85;
+    constexpr double LargestRadius = 0.8;
     vtkPointSurfaceView sparse = view;
     sparse.GrowRadii(view.LargestRadius / view.MeanRadius);
     options.Thinning = vtkPointThinning::GetGroupSize(sparse, LargestRadius, Fewest);

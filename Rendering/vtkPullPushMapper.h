@@ -143,7 +143,7 @@ public:
   /**
    * Where projected radii are so small that pixels cannot tell the points apart, draw the means of
    * 2, 3, 4, 6, 8, 12, ... points that follow each other in space, with radii that are larger to
-   * match: up to 0.85 pixels; in the paper all points are drawn. A part of a cloud
+   * match: up to 0.8 pixels; in the paper all points are drawn. A part of a cloud
    * (vtkGhostPointsGenerator) is not thinned: other processes would make other groups. Default on.
    */
   vtkSetMacro(ThinPoints, bool);

@@ -12,7 +12,7 @@ vtkSurfaceSplatParameters::vtkSurfaceSplatParameters(
 {
   if (options.ThinPoints)
   {
-    constexpr double LargestRadius = 1.15;
+    constexpr double LargestRadius = 1.1;
     this->Thinning = vtkPointThinning::GetGroupSize(view, LargestRadius);
   }
 }
