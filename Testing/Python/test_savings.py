@@ -23,6 +23,7 @@ def savings():
         # in this process, and without figures that nobody looks at
         patch.setattr(module, "measure_apart", lambda script, *case: module.measure(*case))
         patch.setattr(module, "FRAMES", 1)
+        patch.setattr(module, "PROCESSES", 1)
         yield module
 
 
